@@ -1,8 +1,8 @@
 //! Stage `bounds`: the box around all triangles, and the power of two that carries the scene to magnitude 1.
 
 use crate::aabb::Aabb;
-use crate::float::{abs, exponent, max, min};
-use crate::triangle::IndexedTriangles;
+use crate::float::{exponent, magnitude_bits, order_key};
+use crate::triangle::{IndexedTriangles, Triangle};
 use glam::Vec3;
 
 /// One lane per run of triangles. Reads the triangles `first..first + count`. Returns the box around them.
@@ -11,7 +11,10 @@ use glam::Vec3;
 pub fn run_bounds(first: u32, count: u32, triangles: &IndexedTriangles) -> Aabb {
     let mut bounds = Aabb::EMPTY;
     for i in first..first + count {
-        bounds = bounds.union(triangles.triangle(i).bounds());
+        let Triangle { v0, v1, v2 } = triangles.triangle(i);
+        bounds = unite(bounds, Aabb { min: v0, max: v0 });
+        bounds = unite(bounds, Aabb { min: v1, max: v1 });
+        bounds = unite(bounds, Aabb { min: v2, max: v2 });
     }
     Aabb {
         min: positive_zeros(bounds.min),
@@ -22,8 +25,31 @@ pub fn run_bounds(first: u32, count: u32, triangles: &IndexedTriangles) -> Aabb 
 /// Without −0, so that the order of unions does not tell.
 #[inline]
 pub(crate) fn positive_zeros(v: Vec3) -> Vec3 {
-    let positive = |x: f32| if x == 0.0 { 0.0 } else { x };
+    let positive = |x: f32| if magnitude_bits(x) == 0 { 0.0 } else { x };
     Vec3::new(positive(v.x), positive(v.y), positive(v.z))
+}
+
+/// [`Aabb::union`] of boxes in the caller's unit, where coordinates may be what some devices take for zero as they compare it.
+#[inline(always)]
+#[must_use]
+pub fn unite(a: Aabb, b: Aabb) -> Aabb {
+    if !cfg!(target_arch = "spirv") {
+        return a.union(b);
+    }
+    let min = |x: f32, y: f32| if order_key(x) < order_key(y) { x } else { y };
+    let max = |x: f32, y: f32| if order_key(x) > order_key(y) { x } else { y };
+    Aabb {
+        min: Vec3::new(
+            min(a.min.x, b.min.x),
+            min(a.min.y, b.min.y),
+            min(a.min.z, b.min.z),
+        ),
+        max: Vec3::new(
+            max(a.max.x, b.max.x),
+            max(a.max.y, b.max.y),
+            max(a.max.z, b.max.z),
+        ),
+    }
 }
 
 /// Workgroup reduction, one lane per box: at each step with `distance` = LANES/2 … 1 every lane below `distance`
@@ -33,7 +59,7 @@ pub(crate) fn positive_zeros(v: Vec3) -> Vec3 {
 pub fn reduce_step<const LANES: usize>(lane: u32, distance: u32, boxes: &[Aabb; LANES]) -> Aabb {
     let own = boxes[lane as usize % LANES];
     let other = boxes[(lane + distance) as usize % LANES];
-    own.union(other)
+    unite(own, other)
 }
 
 /// The exponent e for which the largest magnitude of a coordinate times `2^e` lies in `[1/2, 1)`; 0 where all are zero.
@@ -43,27 +69,25 @@ pub fn scene_exponent(bounds: &Aabb) -> i32 {
     if bounds.is_empty() {
         return 0;
     }
-    let largest = max(
-        max(axis_magnitude(bounds, 0), axis_magnitude(bounds, 1)),
-        axis_magnitude(bounds, 2),
-    );
-    if largest > 0.0 {
-        -(exponent(largest) + 1)
+    let largest = axis_magnitude(bounds, 0)
+        .max(axis_magnitude(bounds, 1))
+        .max(axis_magnitude(bounds, 2));
+    if largest > 0 {
+        -(exponent(f32::from_bits(largest)) + 1)
     } else {
         0
     }
 }
 
-/// The largest magnitude of a coordinate on one axis.
+/// The bits of the largest magnitude of a coordinate on one axis.
 #[inline]
-pub(crate) fn axis_magnitude(bounds: &Aabb, axis: usize) -> f32 {
+pub(crate) fn axis_magnitude(bounds: &Aabb, axis: usize) -> u32 {
     let (low, high) = match axis {
         0 => (bounds.min.x, bounds.max.x),
         1 => (bounds.min.y, bounds.max.y),
         _ => (bounds.min.z, bounds.max.z),
     };
-    // Both ends of the range may be negative, or both positive.
-    max(max(abs(low), abs(high)), min(abs(low), abs(high)))
+    magnitude_bits(low).max(magnitude_bits(high))
 }
 
 #[cfg(test)]

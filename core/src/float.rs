@@ -25,6 +25,21 @@ pub const fn max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
+/// A whole number below 2^23 as a float, without a conversion, of which GPUs do a few while they do many sums.
+#[inline(always)]
+#[must_use]
+pub const fn whole_number(n: u32) -> f32 {
+    f32::from_bits(0x4b00_0000 | n) - 8_388_608.0
+}
+
+/// An integer that compares as the number does, with −0 below 0: also where a device takes what is no normal number for zero.
+#[inline(always)]
+#[must_use]
+pub const fn order_key(x: f32) -> i32 {
+    let bits = x.to_bits() as i32;
+    bits ^ (bits >> 31 & 0x7fff_ffff)
+}
+
 /// Magnitude, by the sign bit.
 #[inline(always)]
 #[must_use]
@@ -52,14 +67,90 @@ pub const fn power_of_two(e: i32) -> f32 {
     f32::from_bits(((e + 127) as u32) << 23)
 }
 
-/// `x · 2^e` for e from −300 to 300, exact unless the result leaves the normal range.
+/// `x · 2^e` for e from −300 to 300, rounded once, to nearest; beyond the range infinite. By integers alone: a device may take what
+/// is no normal number for zero wherever floats are computed with.
 #[inline]
 #[must_use]
 pub const fn scale_by_power_of_two(x: f32, e: i32) -> f32 {
-    // Three factors, each in range, applied from one side only, so that no intermediate result overflows early.
-    let third = e / 3;
-    let rest = e - 2 * third;
-    x * power_of_two(third) * power_of_two(third) * power_of_two(rest)
+    let bits = x.to_bits();
+    let biased = (bits >> 23) as i32 & 0xff;
+    let scaled = biased + e;
+    if biased == 0xff {
+        x
+    } else if biased > 0 && scaled > 0 && scaled < 0xff {
+        f32::from_bits(bits.wrapping_add((e << 23) as u32))
+    } else {
+        from_significand(
+            bits & 0x8000_0000,
+            significand(bits),
+            scaled + (biased == 0) as i32,
+        )
+    }
+}
+
+/// [`scale_by_power_of_two`], but 0 where the result is no normal number, and the largest number beyond the range.
+#[inline(always)]
+#[must_use]
+pub const fn scale_to_normal(x: f32, e: i32) -> f32 {
+    let (sign, bits) = (x.to_bits() & 0x8000_0000, magnitude_bits(x));
+    let (significand, biased) = (significand(bits), (bits >> 23) as i32);
+    // Nothing but zero has no bit at all, and comes out below the range.
+    let left = significand.leading_zeros() as i32 - 8;
+    let to = if biased == 0xff {
+        0xff
+    } else {
+        biased + (biased == 0) as i32 - left + e
+    };
+    let inner = (to as u32) << 23 | (significand << (left & 31)) & 0x007f_ffff;
+    let magnitude = if to <= 0 || significand == 0 {
+        0
+    } else if to >= 0xff {
+        f32::MAX.to_bits()
+    } else {
+        inner
+    };
+    f32::from_bits(sign | magnitude)
+}
+
+/// The 24 bits of a number's significand: the highest is 0 where it is no normal number.
+#[inline(always)]
+const fn significand(bits: u32) -> u32 {
+    (bits & 0x007f_ffff) | (((bits & 0x7f80_0000 != 0) as u32) << 23)
+}
+
+/// The number `± significand · 2^(biased - 150)`, rounded to nearest, ties to even.
+const fn from_significand(sign: u32, significand: u32, biased: i32) -> f32 {
+    if significand == 0 {
+        return f32::from_bits(sign);
+    }
+    let left = significand.leading_zeros() - 8;
+    let (normal, biased) = (significand << left, biased - left as i32);
+    if biased >= 0xff {
+        return f32::from_bits(sign | INFINITY_BITS);
+    }
+    if biased > 0 {
+        return f32::from_bits(sign | (biased as u32) << 23 | (normal & 0x007f_ffff));
+    }
+    // What is below a quarter of the smallest number is nothing.
+    let right = if biased < -24 {
+        26
+    } else {
+        (1 - biased) as u32
+    };
+    let (kept, rest) = (normal >> right, normal & ((1 << right) - 1));
+    let half = 1 << (right - 1);
+    let is_up = rest > half || (rest == half && kept & 1 == 1);
+    f32::from_bits(sign | (kept + is_up as u32))
+}
+
+/// The bits of infinity: magnitudes of numbers have less, of what is none have more.
+pub const INFINITY_BITS: u32 = 0x7f80_0000;
+
+/// The bits of a number's magnitude: they compare as it does, with infinity above all numbers and NaN above that.
+#[inline(always)]
+#[must_use]
+pub const fn magnitude_bits(x: f32) -> u32 {
+    x.to_bits() & 0x7fff_ffff
 }
 
 /// Multiplication by a power of two that may itself be out of range.
@@ -102,7 +193,23 @@ impl PowerOfTwo {
     #[inline(always)]
     #[must_use]
     pub const fn times(&self, x: f32) -> f32 {
-        x * self.first * self.second
+        if cfg!(target_arch = "spirv") {
+            self.times_steps(x)
+        } else {
+            x * self.first * self.second
+        }
+    }
+
+    /// [`Self::times`] where a device may take what is no normal number for zero: such a number is counted in steps of the smallest.
+    #[inline(always)]
+    const fn times_steps(&self, x: f32) -> f32 {
+        let bits = x.to_bits();
+        let is_normal = bits & INFINITY_BITS != 0;
+        let steps = whole_number(bits & 0x007f_ffff) * power_of_two(-126);
+        let steps = f32::from_bits(steps.to_bits() | (bits & 0x8000_0000));
+        let from = if is_normal { x } else { steps };
+        let step = if is_normal { 1.0 } else { power_of_two(-23) };
+        from * self.first * step * self.second
     }
 
     /// [`Self::times`], of each component.
@@ -172,6 +279,49 @@ mod tests {
             let there = scale_by_power_of_two(x, e);
             prop_assert_eq!(there as f64, f64::from(x) * 2f64.powi(e));
             prop_assert_eq!(scale_by_power_of_two(there, -e), x);
+        }
+
+        #[test]
+        fn scaling_rounds_once(bits: u32, e in -300i32..=300) {
+            let x = f32::from_bits(bits);
+            prop_assume!(x.is_finite());
+            let expected = (f64::from(x) * 2f64.powi(e)) as f32;
+            prop_assert_eq!(scale_by_power_of_two(x, e).to_bits(), expected.to_bits());
+        }
+
+        #[test]
+        fn scaling_to_normal_numbers_leaves_none_else(bits: u32, e in -300i32..=300) {
+            let x = f32::from_bits(bits);
+            prop_assume!(!x.is_nan());
+            let scaled = scale_by_power_of_two(x, e);
+            let expected = if scaled.is_subnormal() { 0.0f32.copysign(x) } else { scaled.clamp(-f32::MAX, f32::MAX) };
+            // What is rounded up to the smallest normal number may be either.
+            let found = scale_to_normal(x, e);
+            let is_least = abs(expected) == f32::MIN_POSITIVE && abs(found) == 0.0;
+            prop_assert!(found.to_bits() == expected.to_bits() || is_least, "{found:e} {expected:e}");
+        }
+
+        #[test]
+        fn denormals_are_multiplied_as_whole_steps(bits in prop_oneof![0u32..0x0080_0000, 0u32..INFINITY_BITS], is_negative: bool, e in -126i32..=254) {
+            let x = f32::from_bits(bits | u32::from(is_negative) << 31);
+            let scale = PowerOfTwo::new(e);
+            let (expected, found) = (scale.times(x), scale.times_steps(x));
+            // Below the normal range either may round as it likes.
+            if expected.is_normal() || found.is_normal() || e >= 0 {
+                prop_assert_eq!(found.to_bits(), expected.to_bits());
+            }
+        }
+
+        #[test]
+        fn whole_numbers_are_what_conversion_makes_of_them(n in 0u32..1 << 23) {
+            prop_assert_eq!(whole_number(n).to_bits(), (n as f32).to_bits());
+        }
+
+        #[test]
+        fn keys_are_in_the_order_of_their_numbers(a: u32, b: u32) {
+            let (a, b) = (f32::from_bits(a), f32::from_bits(b));
+            prop_assume!(!a.is_nan() && !b.is_nan());
+            prop_assert_eq!(order_key(a).cmp(&order_key(b)), a.total_cmp(&b));
         }
 
         #[test]

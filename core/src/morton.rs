@@ -98,7 +98,7 @@ impl AxisMeasure {
         };
         // Coordinates have at most 24 bits in these steps, twice their range at most 26. Scenes below 2^-103 have fewer: what a
         // device may flush to zero is less than a step.
-        let finest = exponent(axis_magnitude(bounds, axis)) + 1 - 24;
+        let finest = exponent(f32::from_bits(axis_magnitude(bounds, axis))) + 1 - 24;
         let step_exponent = if finest < -126 { -126 } else { finest };
         let origin = 2 * lattice_steps(low, step_exponent);
         let extent = (2 * lattice_steps(high, step_exponent)).wrapping_sub(origin) as u32;

@@ -1,6 +1,9 @@
 //! Rays, hits, and the form in which a ray is traced.
 
-use crate::float::{PowerOfTwo, abs, exponent, max, min, power_of_two, scale_by_power_of_two};
+use crate::float::{
+    INFINITY_BITS, PowerOfTwo, abs, exponent, magnitude_bits, max, power_of_two,
+    scale_by_power_of_two, scale_to_normal,
+};
 use crate::slab::PlanePair;
 use bytemuck::{Pod, Zeroable};
 
@@ -165,8 +168,8 @@ impl PreparedRay {
         let t_exponent = scene_exponent + direction_exponent;
         let (t_min, t_max) = if sane & (farthest <= FARTHEST_ORIGIN) {
             (
-                clamp_t(scale_by_power_of_two(ray.t_min, t_exponent)),
-                clamp_t(scale_by_power_of_two(ray.t_max, t_exponent)),
+                scale_to_normal(ray.t_min, t_exponent),
+                scale_to_normal(ray.t_max, t_exponent),
             )
         } else {
             (1.0, 0.0)
@@ -198,10 +201,14 @@ impl PreparedRay {
     }
 }
 
-/// Keeps overflowed parameters finite. NaN becomes the largest.
+/// Keeps overflowed parameters finite, by their bits: what is no normal number stays what it is.
 #[inline(always)]
 fn clamp_t(t: f32) -> f32 {
-    max(min(t, f32::MAX), -f32::MAX)
+    if magnitude_bits(t) >= INFINITY_BITS {
+        f32::from_bits((t.to_bits() & 0x8000_0000) | f32::MAX.to_bits())
+    } else {
+        t
+    }
 }
 
 /// One axis of a prepared ray.
@@ -237,14 +244,6 @@ impl Axis {
         }
     }
 }
-
-/// The bits of a number's magnitude: they compare as it does, with infinity above all numbers and NaN above that.
-#[inline(always)]
-const fn magnitude_bits(x: f32) -> u32 {
-    x.to_bits() & 0x7fff_ffff
-}
-
-const INFINITY_BITS: u32 = 0x7f80_0000;
 
 /// A component by number, without a dynamic index or a branch.
 #[inline(always)]

@@ -1,16 +1,21 @@
 //! Stage `snap`: triangles on their way into the tree, carried to the scene's magnitude. Everything after it sees only
 //! these.
 
-use crate::float::PowerOfTwo;
+use crate::float::{PowerOfTwo, abs};
 use crate::triangle::{IndexedTriangles, LeafTriangle, Triangle};
 use glam::Vec3;
 
-/// A coordinate at the scene's magnitude. Never −0, so that the smaller of two numbers does not depend on their order.
+/// A coordinate at the scene's magnitude. Never −0, so that the smaller of two numbers does not depend on their order, and 0 where
+/// it is no normal number: to some devices that is zero anyway.
 #[inline(always)]
 #[must_use]
 pub const fn snap(x: f32, scale: &PowerOfTwo) -> f32 {
     let scaled = scale.times(x);
-    if scaled == 0.0 { 0.0 } else { scaled }
+    if abs(scaled) < f32::MIN_POSITIVE {
+        0.0
+    } else {
+        scaled
+    }
 }
 
 /// A triangle's corners at the scene's magnitude.
@@ -49,6 +54,15 @@ mod tests {
     fn zero_is_positive() {
         assert_eq!(snap(-0.0, &PowerOfTwo::new(3)).to_bits(), 0);
         assert_eq!(snap(-1e-30, &PowerOfTwo::new(-126)).to_bits(), 0);
+    }
+
+    #[test]
+    fn what_is_no_normal_number_is_zero() {
+        let half = PowerOfTwo::new(-1);
+        assert_eq!(snap(f32::MIN_POSITIVE, &half).to_bits(), 0);
+        assert_eq!(snap(2.0 * f32::MIN_POSITIVE, &half), f32::MIN_POSITIVE);
+        let twice = PowerOfTwo::new(1);
+        assert_eq!(snap(f32::MIN_POSITIVE / 2.0, &twice), f32::MIN_POSITIVE);
     }
 
     proptest! {

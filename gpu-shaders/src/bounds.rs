@@ -2,7 +2,7 @@
 
 use crate::{LANE_STEPS, group_index, run_begin, run_length};
 use glam::{UVec3, UVec4, Vec3};
-use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};
+use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent, unite};
 use slimbvh_core::launch::LANES;
 use slimbvh_core::morton::Frame;
 use slimbvh_core::{Aabb, IndexedTriangles};
@@ -48,7 +48,7 @@ pub fn frame(
     for row in 0..rows {
         let block = (row * LANES as u32 + lane) as usize;
         if block < blocks.len() {
-            own = own.union(packed(blocks[block]));
+            own = unite(own, packed(blocks[block]));
         }
     }
     reduce(lane, own, boxes);

@@ -36,208 +36,256 @@ var<storage> global_4: type_14;
 var<storage, read_write> global_5: type_24;
 
 fn function_() {
-    var phi_119_: type_5;
-    var phi_122_: type_21;
-    var phi_120_: type_5;
-    var phi_145_: type_5;
-    var phi_166_: array<u32, 3>;
-    var phi_181_: array<f32, 3>;
-    var phi_199_: array<f32, 3>;
-    var phi_217_: array<f32, 3>;
-    var phi_123_: type_21;
-    var phi_560_: bool;
+    var phi_161_: type_5;
+    var phi_164_: type_21;
+    var phi_162_: type_5;
+    var phi_187_: type_5;
+    var phi_208_: array<u32, 3>;
+    var phi_223_: array<f32, 3>;
+    var phi_241_: array<f32, 3>;
+    var phi_259_: array<f32, 3>;
+    var phi_165_: type_21;
+    var phi_922_: bool;
     var local: type_21;
     var local_1: type_21;
-    var phi_351_: type_5;
-    var phi_354_: u32;
-    var phi_352_: type_5;
-    var phi_377_: type_5;
-    var phi_355_: u32;
-    var phi_588_: bool;
+    var phi_319_: type_5;
+    var phi_322_: u32;
+    var phi_320_: type_5;
+    var phi_345_: type_5;
+    var phi_323_: u32;
+    var phi_950_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e33 = global;
-            let _e34 = global_1;
-            let _e37 = arrayLength((&global_3.member));
-            let _e40 = arrayLength((&global_4.member));
-            let _e46 = (_e33.x + (_e33.y * 32768u));
-            let _e49 = ((_e46 * 1024u) + (_e34 * 16u));
-            let _e51 = select(_e40, _e49, (_e49 < _e40));
-            let _e52 = (_e40 - _e51);
-            phi_119_ = type_5(_e51, (_e51 + select(16u, _e52, (_e52 < 16u))));
-            phi_122_ = type_21(vec3<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec3<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
+            let _e36 = global;
+            let _e37 = global_1;
+            let _e40 = arrayLength((&global_3.member));
+            let _e43 = arrayLength((&global_4.member));
+            let _e49 = (_e36.x + (_e36.y * 32768u));
+            let _e52 = ((_e49 * 1024u) + (_e37 * 16u));
+            let _e54 = select(_e43, _e52, (_e52 < _e43));
+            let _e55 = (_e43 - _e54);
+            phi_161_ = type_5(_e54, (_e54 + select(16u, _e55, (_e55 < 16u))));
+            phi_164_ = type_21(vec3<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec3<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
             loop {
-                let _e58 = phi_119_;
-                let _e60 = phi_122_;
-                local = _e60;
-                local_1 = _e60;
-                if (_e58.member < _e58.member_1) {
-                    phi_120_ = type_5((_e58.member + 1u), _e58.member_1);
-                    phi_145_ = type_5(1u, _e58.member);
+                let _e61 = phi_161_;
+                let _e63 = phi_164_;
+                local = _e63;
+                local_1 = _e63;
+                if (_e61.member < _e61.member_1) {
+                    phi_162_ = type_5((_e61.member + 1u), _e61.member_1);
+                    phi_187_ = type_5(1u, _e61.member);
                 } else {
-                    phi_120_ = _e58;
-                    phi_145_ = type_5(0u, type_5().member_1);
+                    phi_162_ = _e61;
+                    phi_187_ = type_5(0u, type_5().member_1);
                 }
-                let _e73 = phi_120_;
-                let _e75 = phi_145_;
-                let _e79 = (bitcast<i32>(_e75.member) != 0i);
-                if _e79 {
-                    let _e80 = (_e75.member_1 < _e40);
-                    if _e80 {
-                        if _e80 {
+                let _e76 = phi_162_;
+                let _e78 = phi_187_;
+                let _e82 = (bitcast<i32>(_e78.member) != 0i);
+                if _e82 {
+                    let _e83 = (_e78.member_1 < _e43);
+                    if _e83 {
+                        if _e83 {
                         } else {
-                            phi_560_ = true;
+                            phi_922_ = true;
                             break;
                         }
-                        let _e82 = global_4.member[_e75.member_1];
-                        phi_166_ = _e82;
+                        let _e85 = global_4.member[_e78.member_1];
+                        phi_208_ = _e85;
                     } else {
-                        phi_166_ = array<u32, 3>(0u, 0u, 0u);
+                        phi_208_ = array<u32, 3>(0u, 0u, 0u);
                     }
-                    let _e84 = phi_166_;
-                    let _e86 = (_e84[0] < _e37);
-                    if _e86 {
-                        if _e86 {
+                    let _e87 = phi_208_;
+                    let _e89 = (_e87[0] < _e40);
+                    if _e89 {
+                        if _e89 {
                         } else {
-                            phi_560_ = true;
+                            phi_922_ = true;
                             break;
                         }
-                        let _e88 = global_3.member[_e84[0]];
-                        phi_181_ = _e88;
+                        let _e91 = global_3.member[_e87[0]];
+                        phi_223_ = _e91;
                     } else {
-                        phi_181_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_223_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e90 = phi_181_;
-                    let _e95 = (_e84[1] < _e37);
-                    if _e95 {
-                        if _e95 {
+                    let _e93 = phi_223_;
+                    let _e98 = (_e87[1] < _e40);
+                    if _e98 {
+                        if _e98 {
                         } else {
-                            phi_560_ = true;
+                            phi_922_ = true;
                             break;
                         }
-                        let _e97 = global_3.member[_e84[1]];
-                        phi_199_ = _e97;
+                        let _e100 = global_3.member[_e87[1]];
+                        phi_241_ = _e100;
                     } else {
-                        phi_199_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_241_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e99 = phi_199_;
-                    let _e104 = (_e84[2] < _e37);
-                    if _e104 {
-                        if _e104 {
+                    let _e102 = phi_241_;
+                    let _e107 = (_e87[2] < _e40);
+                    if _e107 {
+                        if _e107 {
                         } else {
-                            phi_560_ = true;
+                            phi_922_ = true;
                             break;
                         }
-                        let _e106 = global_3.member[_e84[2]];
-                        phi_217_ = _e106;
+                        let _e109 = global_3.member[_e87[2]];
+                        phi_259_ = _e109;
                     } else {
-                        phi_217_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_259_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e108 = phi_217_;
-                    let _e113 = select(_e99[0], _e90[0], (_e90[0] < _e99[0]));
-                    let _e115 = select(_e99[1], _e90[1], (_e90[1] < _e99[1]));
-                    let _e117 = select(_e99[2], _e90[2], (_e90[2] < _e99[2]));
-                    let _e119 = select(_e108[0], _e113, (_e113 < _e108[0]));
-                    let _e121 = select(_e108[1], _e115, (_e115 < _e108[1]));
-                    let _e123 = select(_e108[2], _e117, (_e117 < _e108[2]));
-                    let _e125 = select(_e99[0], _e90[0], (_e90[0] > _e99[0]));
-                    let _e127 = select(_e99[1], _e90[1], (_e90[1] > _e99[1]));
-                    let _e129 = select(_e99[2], _e90[2], (_e90[2] > _e99[2]));
-                    let _e131 = select(_e108[0], _e125, (_e125 > _e108[0]));
-                    let _e133 = select(_e108[1], _e127, (_e127 > _e108[1]));
-                    let _e135 = select(_e108[2], _e129, (_e129 > _e108[2]));
-                    phi_123_ = type_21(vec3<f32>(select(_e119, _e60.member.x, (_e60.member.x < _e119)), select(_e121, _e60.member.y, (_e60.member.y < _e121)), select(_e123, _e60.member.z, (_e60.member.z < _e123))), vec3<f32>(select(_e131, _e60.member_1.x, (_e60.member_1.x > _e131)), select(_e133, _e60.member_1.y, (_e60.member_1.y > _e133)), select(_e135, _e60.member_1.z, (_e60.member_1.z > _e135))));
+                    let _e111 = phi_259_;
+                    let _e118 = bitcast<i32>(bitcast<u32>(_e63.member.x));
+                    let _e124 = bitcast<i32>(bitcast<u32>(_e93[0]));
+                    let _e128 = (_e124 ^ ((_e124 >> bitcast<u32>(31i)) & 2147483647i));
+                    let _e130 = select(_e93[0], _e63.member.x, ((_e118 ^ ((_e118 >> bitcast<u32>(31i)) & 2147483647i)) < _e128));
+                    let _e134 = bitcast<i32>(bitcast<u32>(_e63.member.y));
+                    let _e140 = bitcast<i32>(bitcast<u32>(_e93[1]));
+                    let _e144 = (_e140 ^ ((_e140 >> bitcast<u32>(31i)) & 2147483647i));
+                    let _e146 = select(_e93[1], _e63.member.y, ((_e134 ^ ((_e134 >> bitcast<u32>(31i)) & 2147483647i)) < _e144));
+                    let _e150 = bitcast<i32>(bitcast<u32>(_e63.member.z));
+                    let _e156 = bitcast<i32>(bitcast<u32>(_e93[2]));
+                    let _e160 = (_e156 ^ ((_e156 >> bitcast<u32>(31i)) & 2147483647i));
+                    let _e162 = select(_e93[2], _e63.member.z, ((_e150 ^ ((_e150 >> bitcast<u32>(31i)) & 2147483647i)) < _e160));
+                    let _e166 = bitcast<i32>(bitcast<u32>(_e63.member_1.x));
+                    let _e172 = select(_e93[0], _e63.member_1.x, ((_e166 ^ ((_e166 >> bitcast<u32>(31i)) & 2147483647i)) > _e128));
+                    let _e176 = bitcast<i32>(bitcast<u32>(_e63.member_1.y));
+                    let _e182 = select(_e93[1], _e63.member_1.y, ((_e176 ^ ((_e176 >> bitcast<u32>(31i)) & 2147483647i)) > _e144));
+                    let _e186 = bitcast<i32>(bitcast<u32>(_e63.member_1.z));
+                    let _e192 = select(_e93[2], _e63.member_1.z, ((_e186 ^ ((_e186 >> bitcast<u32>(31i)) & 2147483647i)) > _e160));
+                    let _e194 = bitcast<i32>(bitcast<u32>(_e130));
+                    let _e200 = bitcast<i32>(bitcast<u32>(_e102[0]));
+                    let _e204 = (_e200 ^ ((_e200 >> bitcast<u32>(31i)) & 2147483647i));
+                    let _e206 = select(_e102[0], _e130, ((_e194 ^ ((_e194 >> bitcast<u32>(31i)) & 2147483647i)) < _e204));
+                    let _e208 = bitcast<i32>(bitcast<u32>(_e146));
+                    let _e214 = bitcast<i32>(bitcast<u32>(_e102[1]));
+                    let _e218 = (_e214 ^ ((_e214 >> bitcast<u32>(31i)) & 2147483647i));
+                    let _e220 = select(_e102[1], _e146, ((_e208 ^ ((_e208 >> bitcast<u32>(31i)) & 2147483647i)) < _e218));
+                    let _e222 = bitcast<i32>(bitcast<u32>(_e162));
+                    let _e228 = bitcast<i32>(bitcast<u32>(_e102[2]));
+                    let _e232 = (_e228 ^ ((_e228 >> bitcast<u32>(31i)) & 2147483647i));
+                    let _e234 = select(_e102[2], _e162, ((_e222 ^ ((_e222 >> bitcast<u32>(31i)) & 2147483647i)) < _e232));
+                    let _e236 = bitcast<i32>(bitcast<u32>(_e172));
+                    let _e242 = select(_e102[0], _e172, ((_e236 ^ ((_e236 >> bitcast<u32>(31i)) & 2147483647i)) > _e204));
+                    let _e244 = bitcast<i32>(bitcast<u32>(_e182));
+                    let _e250 = select(_e102[1], _e182, ((_e244 ^ ((_e244 >> bitcast<u32>(31i)) & 2147483647i)) > _e218));
+                    let _e252 = bitcast<i32>(bitcast<u32>(_e192));
+                    let _e258 = select(_e102[2], _e192, ((_e252 ^ ((_e252 >> bitcast<u32>(31i)) & 2147483647i)) > _e232));
+                    let _e260 = bitcast<i32>(bitcast<u32>(_e206));
+                    let _e266 = bitcast<i32>(bitcast<u32>(_e111[0]));
+                    let _e270 = (_e266 ^ ((_e266 >> bitcast<u32>(31i)) & 2147483647i));
+                    let _e274 = bitcast<i32>(bitcast<u32>(_e220));
+                    let _e280 = bitcast<i32>(bitcast<u32>(_e111[1]));
+                    let _e284 = (_e280 ^ ((_e280 >> bitcast<u32>(31i)) & 2147483647i));
+                    let _e288 = bitcast<i32>(bitcast<u32>(_e234));
+                    let _e294 = bitcast<i32>(bitcast<u32>(_e111[2]));
+                    let _e298 = (_e294 ^ ((_e294 >> bitcast<u32>(31i)) & 2147483647i));
+                    let _e303 = bitcast<i32>(bitcast<u32>(_e242));
+                    let _e311 = bitcast<i32>(bitcast<u32>(_e250));
+                    let _e319 = bitcast<i32>(bitcast<u32>(_e258));
+                    phi_165_ = type_21(vec3<f32>(select(_e111[0], _e206, ((_e260 ^ ((_e260 >> bitcast<u32>(31i)) & 2147483647i)) < _e270)), select(_e111[1], _e220, ((_e274 ^ ((_e274 >> bitcast<u32>(31i)) & 2147483647i)) < _e284)), select(_e111[2], _e234, ((_e288 ^ ((_e288 >> bitcast<u32>(31i)) & 2147483647i)) < _e298))), vec3<f32>(select(_e111[0], _e242, ((_e303 ^ ((_e303 >> bitcast<u32>(31i)) & 2147483647i)) > _e270)), select(_e111[1], _e250, ((_e311 ^ ((_e311 >> bitcast<u32>(31i)) & 2147483647i)) > _e284)), select(_e111[2], _e258, ((_e319 ^ ((_e319 >> bitcast<u32>(31i)) & 2147483647i)) > _e298))));
                 } else {
-                    phi_123_ = type_21();
+                    phi_165_ = type_21();
                 }
-                let _e160 = phi_123_;
+                let _e329 = phi_165_;
                 continue;
                 continuing {
-                    phi_119_ = _e73;
-                    phi_122_ = _e160;
-                    phi_560_ = false;
-                    break if !(_e79);
+                    phi_161_ = _e76;
+                    phi_164_ = _e329;
+                    phi_922_ = false;
+                    break if !(_e82);
                 }
             }
-            let _e163 = phi_560_;
-            if _e163 {
+            let _e332 = phi_922_;
+            if _e332 {
                 break;
             }
-            let _e165 = local;
-            let _e178 = local_1;
-            let _e190 = (_e34 % 64u);
-            let _e191 = (_e190 < 64u);
-            if _e191 {
+            let _e334 = local;
+            let _e353 = local_1;
+            let _e371 = (_e37 % 64u);
+            let _e372 = (_e371 < 64u);
+            if _e372 {
             } else {
                 break;
             }
-            global_2[_e190] = type_26(vec3<f32>(select(_e165.member.x, 0f, (_e165.member.x == 0f)), select(_e165.member.y, 0f, (_e165.member.y == 0f)), select(_e165.member.z, 0f, (_e165.member.z == 0f))), vec3<f32>(select(_e178.member_1.x, 0f, (_e178.member_1.x == 0f)), select(_e178.member_1.y, 0f, (_e178.member_1.y == 0f)), select(_e178.member_1.z, 0f, (_e178.member_1.z == 0f))));
+            global_2[_e371] = type_26(vec3<f32>(select(_e334.member.x, 0f, ((bitcast<u32>(_e334.member.x) & 2147483647u) == 0u)), select(_e334.member.y, 0f, ((bitcast<u32>(_e334.member.y) & 2147483647u) == 0u)), select(_e334.member.z, 0f, ((bitcast<u32>(_e334.member.z) & 2147483647u) == 0u))), vec3<f32>(select(_e353.member_1.x, 0f, ((bitcast<u32>(_e353.member_1.x) & 2147483647u) == 0u)), select(_e353.member_1.y, 0f, ((bitcast<u32>(_e353.member_1.y) & 2147483647u) == 0u)), select(_e353.member_1.z, 0f, ((bitcast<u32>(_e353.member_1.z) & 2147483647u) == 0u))));
             workgroupBarrier();
-            phi_351_ = type_5(0u, 6u);
-            phi_354_ = 32u;
+            phi_319_ = type_5(0u, 6u);
+            phi_322_ = 32u;
             loop {
-                let _e195 = phi_351_;
-                let _e197 = phi_354_;
-                if (_e195.member < _e195.member_1) {
-                    phi_352_ = type_5((_e195.member + 1u), _e195.member_1);
-                    phi_377_ = type_5(1u, _e195.member);
+                let _e376 = phi_319_;
+                let _e378 = phi_322_;
+                if (_e376.member < _e376.member_1) {
+                    phi_320_ = type_5((_e376.member + 1u), _e376.member_1);
+                    phi_345_ = type_5(1u, _e376.member);
                 } else {
-                    phi_352_ = _e195;
-                    phi_377_ = type_5(0u, type_5().member_1);
+                    phi_320_ = _e376;
+                    phi_345_ = type_5(0u, type_5().member_1);
                 }
-                let _e210 = phi_352_;
-                let _e212 = phi_377_;
-                let _e215 = (bitcast<i32>(_e212.member) != 0i);
-                if _e215 {
-                    if (_e34 < _e197) {
-                        if _e191 {
+                let _e391 = phi_320_;
+                let _e393 = phi_345_;
+                let _e396 = (bitcast<i32>(_e393.member) != 0i);
+                if _e396 {
+                    if (_e37 < _e378) {
+                        if _e372 {
                         } else {
-                            phi_588_ = true;
+                            phi_950_ = true;
                             break;
                         }
-                        let _e217 = global_2[_e190];
-                        let _e221 = ((_e34 + _e197) % 64u);
-                        if (_e221 < 64u) {
+                        let _e398 = global_2[_e371];
+                        let _e402 = ((_e37 + _e378) % 64u);
+                        if (_e402 < 64u) {
                         } else {
-                            phi_588_ = true;
+                            phi_950_ = true;
                             break;
                         }
-                        let _e224 = global_2[_e221];
-                        if _e191 {
+                        let _e405 = global_2[_e402];
+                        let _e411 = bitcast<i32>(bitcast<u32>(_e398.member.x));
+                        let _e417 = bitcast<i32>(bitcast<u32>(_e405.member.x));
+                        let _e427 = bitcast<i32>(bitcast<u32>(_e398.member.y));
+                        let _e433 = bitcast<i32>(bitcast<u32>(_e405.member.y));
+                        let _e443 = bitcast<i32>(bitcast<u32>(_e398.member.z));
+                        let _e449 = bitcast<i32>(bitcast<u32>(_e405.member.z));
+                        let _e460 = bitcast<i32>(bitcast<u32>(_e398.member_1.x));
+                        let _e466 = bitcast<i32>(bitcast<u32>(_e405.member_1.x));
+                        let _e476 = bitcast<i32>(bitcast<u32>(_e398.member_1.y));
+                        let _e482 = bitcast<i32>(bitcast<u32>(_e405.member_1.y));
+                        let _e492 = bitcast<i32>(bitcast<u32>(_e398.member_1.z));
+                        let _e498 = bitcast<i32>(bitcast<u32>(_e405.member_1.z));
+                        if _e372 {
                         } else {
-                            phi_588_ = true;
+                            phi_950_ = true;
                             break;
                         }
-                        global_2[_e190] = type_26(vec3<f32>(select(_e224.member.x, _e217.member.x, (_e217.member.x < _e224.member.x)), select(_e224.member.y, _e217.member.y, (_e217.member.y < _e224.member.y)), select(_e224.member.z, _e217.member.z, (_e217.member.z < _e224.member.z))), vec3<f32>(select(_e224.member_1.x, _e217.member_1.x, (_e217.member_1.x > _e224.member_1.x)), select(_e224.member_1.y, _e217.member_1.y, (_e217.member_1.y > _e224.member_1.y)), select(_e224.member_1.z, _e217.member_1.z, (_e217.member_1.z > _e224.member_1.z))));
+                        global_2[_e371] = type_26(vec3<f32>(select(_e405.member.x, _e398.member.x, ((_e411 ^ ((_e411 >> bitcast<u32>(31i)) & 2147483647i)) < (_e417 ^ ((_e417 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e405.member.y, _e398.member.y, ((_e427 ^ ((_e427 >> bitcast<u32>(31i)) & 2147483647i)) < (_e433 ^ ((_e433 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e405.member.z, _e398.member.z, ((_e443 ^ ((_e443 >> bitcast<u32>(31i)) & 2147483647i)) < (_e449 ^ ((_e449 >> bitcast<u32>(31i)) & 2147483647i))))), vec3<f32>(select(_e405.member_1.x, _e398.member_1.x, ((_e460 ^ ((_e460 >> bitcast<u32>(31i)) & 2147483647i)) > (_e466 ^ ((_e466 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e405.member_1.y, _e398.member_1.y, ((_e476 ^ ((_e476 >> bitcast<u32>(31i)) & 2147483647i)) > (_e482 ^ ((_e482 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e405.member_1.z, _e398.member_1.z, ((_e492 ^ ((_e492 >> bitcast<u32>(31i)) & 2147483647i)) > (_e498 ^ ((_e498 >> bitcast<u32>(31i)) & 2147483647i))))));
                     }
                     workgroupBarrier();
-                    phi_355_ = (_e197 / 2u);
+                    phi_323_ = (_e378 / 2u);
                 } else {
-                    phi_355_ = u32();
+                    phi_323_ = u32();
                 }
-                let _e256 = phi_355_;
+                let _e509 = phi_323_;
                 continue;
                 continuing {
-                    phi_351_ = _e210;
-                    phi_354_ = _e256;
-                    phi_588_ = _e163;
-                    break if !(_e215);
+                    phi_319_ = _e391;
+                    phi_322_ = _e509;
+                    phi_950_ = _e332;
+                    break if !(_e396);
                 }
             }
-            let _e259 = phi_588_;
-            if _e259 {
+            let _e512 = phi_950_;
+            if _e512 {
                 break;
             }
-            if (_e34 == 0u) {
-                let _e261 = (_e46 < arrayLength((&global_5.member)));
-                if _e261 {
-                    let _e263 = global_2[0u];
-                    if _e261 {
+            if (_e37 == 0u) {
+                let _e514 = (_e49 < arrayLength((&global_5.member)));
+                if _e514 {
+                    let _e516 = global_2[0u];
+                    if _e514 {
                     } else {
                         break;
                     }
-                    global_5.member[_e46] = array<f32, 6>(_e263.member.x, _e263.member.y, _e263.member.z, _e263.member_1.x, _e263.member_1.y, _e263.member_1.z);
+                    global_5.member[_e49] = array<f32, 6>(_e516.member.x, _e516.member.y, _e516.member.z, _e516.member_1.x, _e516.member_1.y, _e516.member_1.z);
                 }
             }
             break;

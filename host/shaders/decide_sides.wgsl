@@ -46,296 +46,318 @@ var<storage> global_3: type_27;
 var<storage, read_write> global_4: type_18;
 
 fn function_() {
-    var phi_352_: i32;
-    var phi_364_: i32;
-    var phi_410_: bool;
-    var phi_411_: bool;
-    var phi_412_: bool;
-    var phi_413_: bool;
-    var phi_414_: bool;
-    var phi_239_: bool;
-    var phi_251_: bool;
-    var phi_263_: bool;
-    var phi_264_: bool;
-    var phi_265_: bool;
-    var phi_266_: bool;
-    var phi_418_: bool;
-    var phi_419_: bool;
-    var phi_420_: bool;
-    var phi_421_: bool;
-    var phi_422_: bool;
-    var phi_423_: bool;
-    var phi_424_: bool;
-    var phi_425_: bool;
-    var phi_426_: bool;
-    var phi_427_: bool;
-    var phi_436_: bool;
-    var phi_437_: bool;
-    var phi_438_: bool;
-    var phi_439_: bool;
-    var phi_440_: bool;
-    var phi_442_: bool;
-    var phi_443_: bool;
-    var phi_444_: bool;
-    var phi_445_: bool;
-    var phi_446_: bool;
-    var phi_447_: bool;
-    var phi_448_: bool;
-    var phi_449_: bool;
-    var phi_450_: bool;
-    var phi_489_: i32;
-    var phi_490_: i32;
-    var phi_491_: i32;
+    var phi_304_: type_13;
+    var phi_473_: i32;
+    var phi_485_: i32;
+    var phi_647_: bool;
+    var phi_648_: bool;
+    var phi_649_: bool;
+    var phi_650_: bool;
+    var phi_651_: bool;
+    var phi_360_: bool;
+    var phi_372_: bool;
+    var phi_384_: bool;
+    var phi_385_: bool;
+    var phi_386_: bool;
+    var phi_387_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
+    var phi_659_: bool;
+    var phi_660_: bool;
+    var phi_661_: bool;
+    var phi_662_: bool;
+    var phi_663_: bool;
+    var phi_664_: bool;
+    var phi_673_: bool;
+    var phi_674_: bool;
+    var phi_675_: bool;
+    var phi_676_: bool;
+    var phi_677_: bool;
+    var phi_679_: bool;
+    var phi_680_: bool;
+    var phi_681_: bool;
+    var phi_682_: bool;
+    var phi_683_: bool;
+    var phi_684_: bool;
+    var phi_685_: bool;
+    var phi_686_: bool;
+    var phi_687_: bool;
+    var phi_726_: i32;
+    var phi_727_: i32;
+    var phi_728_: i32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e31 = global;
-            let _e41 = (_e31.x + (_e31.y * 2097152u));
-            let _e42 = (_e41 < arrayLength((&global_1.member)));
-            if _e42 {
-                let _e43 = (_e41 < arrayLength((&global_3.member)));
-                if _e43 {
-                    if _e42 {
+            let _e38 = global;
+            let _e48 = (_e38.x + (_e38.y * 2097152u));
+            let _e49 = (_e48 < arrayLength((&global_1.member)));
+            if _e49 {
+                let _e50 = (_e48 < arrayLength((&global_3.member)));
+                if _e50 {
+                    if _e49 {
                     } else {
                         break;
                     }
-                    let _e47 = global_1.member[_e41].member;
-                    let _e48 = (_e47 < arrayLength((&global_4.member)));
-                    if _e48 {
-                        if _e43 {
+                    let _e54 = global_1.member[_e48].member;
+                    let _e55 = (_e54 < arrayLength((&global_4.member)));
+                    if _e55 {
+                        if _e50 {
                         } else {
                             break;
                         }
-                        let _e52 = global_2.member[0u][0u];
-                        let _e56 = global_2.member[0u][1u];
-                        let _e60 = global_2.member[0u][2u];
-                        let _e64 = global_2.member[0u][3u];
-                        let _e68 = global_2.member[1u][0u];
-                        let _e72 = global_2.member[1u][1u];
-                        let _e76 = global_2.member[1u][2u];
-                        let _e80 = global_2.member[1u][3u];
-                        let _e81 = bitcast<f32>(_e52);
-                        let _e82 = bitcast<f32>(_e56);
-                        let _e83 = bitcast<f32>(_e60);
-                        let _e85 = bitcast<f32>(_e68);
-                        if (_e64 == 0u) {
+                        let _e59 = global_2.member[0u][0u];
+                        let _e63 = global_2.member[0u][1u];
+                        let _e67 = global_2.member[0u][2u];
+                        let _e71 = global_2.member[0u][3u];
+                        let _e75 = global_2.member[1u][0u];
+                        let _e79 = global_2.member[1u][1u];
+                        let _e83 = global_2.member[1u][2u];
+                        let _e87 = global_2.member[1u][3u];
+                        let _e88 = bitcast<f32>(_e59);
+                        let _e89 = bitcast<f32>(_e63);
+                        let _e90 = bitcast<f32>(_e67);
+                        let _e92 = bitcast<f32>(_e75);
+                        let _e93 = array<u32, 3>(_e79, _e83, _e87);
+                        if (_e71 == 0u) {
+                            phi_304_ = type_13(array<f32, 3>(_e88, _e89, _e90), _e71, _e92, _e93);
+                        } else {
+                            let _e96 = bitcast<u32>(_e88);
+                            let _e98 = ((_e96 & 2139095040u) != 0u);
+                            let _e111 = bitcast<u32>(_e89);
+                            let _e113 = ((_e111 & 2139095040u) != 0u);
+                            let _e126 = bitcast<u32>(_e90);
+                            let _e128 = ((_e126 & 2139095040u) != 0u);
+                            let _e142 = bitcast<u32>(_e92);
+                            let _e144 = ((_e142 & 2139095040u) != 0u);
+                            phi_304_ = type_13(array<f32, 3>((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e96 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e96 & 2147483648u))), _e88, _e98) * select(0.00000011920929f, 1f, _e98)), (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e111 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e111 & 2147483648u))), _e89, _e113) * select(0.00000011920929f, 1f, _e113)), (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e126 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e126 & 2147483648u))), _e90, _e128) * select(0.00000011920929f, 1f, _e128))), _e71, (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e142 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e142 & 2147483648u))), _e92, _e144) * select(0.00000011920929f, 1f, _e144)), _e93);
                         }
-                        let _e92 = global_3.member[_e41].member;
-                        let _e96 = global_3.member[_e41].member_1;
-                        if ((bitcast<u32>(_e81) & 2139095040u) != 2139095040u) {
-                            if ((bitcast<u32>(_e82) & 2139095040u) != 2139095040u) {
-                                let _e105 = ((bitcast<u32>(_e83) & 2139095040u) != 2139095040u);
-                                if _e105 {
-                                    if (_e64 == 0u) {
-                                        phi_436_ = true;
-                                        phi_437_ = bool();
-                                        phi_438_ = true;
+                        let _e159 = phi_304_;
+                        let _e163 = global_3.member[_e48].member;
+                        let _e167 = global_3.member[_e48].member_1;
+                        if ((bitcast<u32>(_e159.member[0]) & 2139095040u) != 2139095040u) {
+                            if ((bitcast<u32>(_e159.member[1]) & 2139095040u) != 2139095040u) {
+                                let _e180 = ((bitcast<u32>(_e159.member[2]) & 2139095040u) != 2139095040u);
+                                if _e180 {
+                                    if (_e159.member_1 == 0u) {
+                                        phi_673_ = true;
+                                        phi_674_ = bool();
+                                        phi_675_ = true;
                                     } else {
-                                        let _e107 = bitcast<u32>(_e85);
-                                        if ((_e107 & 2139095040u) != 2139095040u) {
-                                            let _e110 = (_e85 < 0f);
-                                            if _e110 {
-                                                phi_421_ = bool();
-                                                phi_422_ = bool();
-                                                phi_423_ = false;
+                                        let _e186 = bitcast<u32>(_e159.member_2);
+                                        let _e187 = (_e186 & 2139095040u);
+                                        if (_e187 != 2139095040u) {
+                                            let _e189 = (_e159.member_2 < 0f);
+                                            if _e189 {
+                                                phi_658_ = bool();
+                                                phi_659_ = bool();
+                                                phi_660_ = false;
                                             } else {
-                                                if (_e85 == 0f) {
-                                                    if (_e81 < _e92[0]) {
-                                                        phi_239_ = true;
+                                                if (_e159.member_2 == 0f) {
+                                                    if (_e159.member[0] < _e163[0]) {
+                                                        phi_360_ = true;
                                                     } else {
-                                                        phi_239_ = (_e81 > _e96[0]);
+                                                        phi_360_ = (_e159.member[0] > _e167[0]);
                                                     }
-                                                    let _e221 = phi_239_;
-                                                    if _e221 {
-                                                        phi_265_ = bool();
-                                                        phi_266_ = true;
+                                                    let _e358 = phi_360_;
+                                                    if _e358 {
+                                                        phi_386_ = bool();
+                                                        phi_387_ = true;
                                                     } else {
-                                                        if (_e82 < _e92[1]) {
-                                                            phi_251_ = true;
+                                                        if (_e159.member[1] < _e163[1]) {
+                                                            phi_372_ = true;
                                                         } else {
-                                                            phi_251_ = (_e82 > _e96[1]);
+                                                            phi_372_ = (_e159.member[1] > _e167[1]);
                                                         }
-                                                        let _e227 = phi_251_;
-                                                        if _e227 {
-                                                            phi_264_ = bool();
+                                                        let _e364 = phi_372_;
+                                                        if _e364 {
+                                                            phi_385_ = bool();
                                                         } else {
-                                                            if (_e83 < _e92[2]) {
-                                                                phi_263_ = true;
+                                                            if (_e159.member[2] < _e163[2]) {
+                                                                phi_384_ = true;
                                                             } else {
-                                                                phi_263_ = (_e83 > _e96[2]);
+                                                                phi_384_ = (_e159.member[2] > _e167[2]);
                                                             }
-                                                            let _e233 = phi_263_;
-                                                            phi_264_ = _e233;
+                                                            let _e370 = phi_384_;
+                                                            phi_385_ = _e370;
                                                         }
-                                                        let _e235 = phi_264_;
-                                                        phi_265_ = _e235;
-                                                        phi_266_ = _e227;
+                                                        let _e372 = phi_385_;
+                                                        phi_386_ = _e372;
+                                                        phi_387_ = _e364;
                                                     }
-                                                    let _e237 = phi_265_;
-                                                    let _e239 = phi_266_;
-                                                    phi_418_ = select(_e237, true, _e239);
-                                                    phi_419_ = bool();
-                                                    phi_420_ = true;
+                                                    let _e374 = phi_386_;
+                                                    let _e376 = phi_387_;
+                                                    phi_655_ = select(_e374, true, _e376);
+                                                    phi_656_ = bool();
+                                                    phi_657_ = true;
                                                 } else {
-                                                    let _e114 = (_e92[0] - _e81);
-                                                    let _e115 = (_e81 - _e96[0]);
-                                                    let _e117 = select(_e115, _e114, (_e114 > _e115));
-                                                    let _e119 = select(0f, _e117, (_e117 > 0f));
-                                                    let _e122 = (_e92[1] - _e82);
-                                                    let _e123 = (_e82 - _e96[1]);
-                                                    let _e125 = select(_e123, _e122, (_e122 > _e123));
-                                                    let _e127 = select(0f, _e125, (_e125 > 0f));
-                                                    let _e130 = (_e92[2] - _e83);
-                                                    let _e131 = (_e83 - _e96[2]);
-                                                    let _e133 = select(_e131, _e130, (_e130 > _e131));
-                                                    let _e135 = select(0f, _e133, (_e133 > 0f));
-                                                    let _e139 = bitcast<f32>((bitcast<u32>((_e85 * 1.0000005f)) ^ _e72));
-                                                    if (_e119 > _e139) {
-                                                        phi_413_ = bool();
-                                                        phi_414_ = true;
+                                                    let _e193 = (_e163[0] - _e159.member[0]);
+                                                    let _e194 = (_e159.member[0] - _e167[0]);
+                                                    let _e196 = select(_e194, _e193, (_e193 > _e194));
+                                                    let _e198 = select(0f, _e196, (_e196 > 0f));
+                                                    let _e201 = (_e163[1] - _e159.member[1]);
+                                                    let _e202 = (_e159.member[1] - _e167[1]);
+                                                    let _e204 = select(_e202, _e201, (_e201 > _e202));
+                                                    let _e206 = select(0f, _e204, (_e204 > 0f));
+                                                    let _e209 = (_e163[2] - _e159.member[2]);
+                                                    let _e210 = (_e159.member[2] - _e167[2]);
+                                                    let _e212 = select(_e210, _e209, (_e209 > _e210));
+                                                    let _e214 = select(0f, _e212, (_e212 > 0f));
+                                                    let _e218 = bitcast<f32>((bitcast<u32>((_e159.member_2 * 1.0000005f)) ^ _e159.member_3[0]));
+                                                    if (_e198 > _e218) {
+                                                        phi_650_ = bool();
+                                                        phi_651_ = true;
                                                     } else {
-                                                        if (_e127 > _e139) {
-                                                            phi_411_ = bool();
-                                                            phi_412_ = true;
+                                                        if (_e206 > _e218) {
+                                                            phi_648_ = bool();
+                                                            phi_649_ = true;
                                                         } else {
-                                                            let _e142 = (_e135 > _e139);
-                                                            if _e142 {
-                                                                phi_410_ = bool();
+                                                            let _e221 = (_e214 > _e218);
+                                                            if _e221 {
+                                                                phi_647_ = bool();
                                                             } else {
-                                                                let _e143 = (_e107 & 2147483647u);
-                                                                if (_e143 >= 8388608u) {
-                                                                    phi_352_ = (bitcast<i32>((_e143 >> bitcast<u32>(23i))) - 127i);
+                                                                let _e222 = (_e186 & 2147483647u);
+                                                                if (_e222 >= 8388608u) {
+                                                                    phi_473_ = (bitcast<i32>((_e222 >> bitcast<u32>(23i))) - 127i);
                                                                 } else {
-                                                                    phi_352_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e143)), 32u, (_e143 == 0u))));
+                                                                    phi_473_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e222)), 32u, (_e222 == 0u))));
                                                                 }
-                                                                let _e157 = phi_352_;
-                                                                let _e158 = (-1i - _e157);
-                                                                if (_e158 < -126i) {
-                                                                    phi_364_ = -126i;
+                                                                let _e236 = phi_473_;
+                                                                let _e237 = (-1i - _e236);
+                                                                if (_e237 < -126i) {
+                                                                    phi_485_ = -126i;
                                                                 } else {
-                                                                    phi_364_ = select(_e158, 127i, (_e158 > 127i));
+                                                                    phi_485_ = select(_e237, 127i, (_e237 > 127i));
                                                                 }
-                                                                let _e163 = phi_364_;
-                                                                let _e168 = bitcast<f32>((bitcast<u32>((_e163 + 127i)) << bitcast<u32>(23i)));
-                                                                let _e174 = bitcast<f32>((bitcast<u32>(((_e158 - _e163) + 127i)) << bitcast<u32>(23i)));
-                                                                let _e176 = ((_e119 * _e168) * _e174);
-                                                                let _e178 = ((_e127 * _e168) * _e174);
-                                                                let _e180 = ((_e135 * _e168) * _e174);
-                                                                let _e182 = ((_e85 * _e168) * _e174);
-                                                                phi_410_ = (((bitcast<f32>((bitcast<u32>((_e176 * _e176)) ^ _e72)) + bitcast<f32>((bitcast<u32>((_e178 * _e178)) ^ _e72))) + bitcast<f32>((bitcast<u32>((_e180 * _e180)) ^ _e72))) > bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>((_e182 * _e182)) ^ _e72)) * 1.000001f)) ^ _e72)));
+                                                                let _e242 = phi_485_;
+                                                                let _e247 = bitcast<f32>((bitcast<u32>((_e242 + 127i)) << bitcast<u32>(23i)));
+                                                                let _e253 = bitcast<f32>((bitcast<u32>(((_e237 - _e242) + 127i)) << bitcast<u32>(23i)));
+                                                                let _e254 = bitcast<u32>(_e198);
+                                                                let _e256 = ((_e254 & 2139095040u) != 0u);
+                                                                let _e270 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e254 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e254 & 2147483648u))), _e198, _e256) * _e247) * select(0.00000011920929f, 1f, _e256)) * _e253);
+                                                                let _e271 = bitcast<u32>(_e206);
+                                                                let _e273 = ((_e271 & 2139095040u) != 0u);
+                                                                let _e287 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e271 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e271 & 2147483648u))), _e206, _e273) * _e247) * select(0.00000011920929f, 1f, _e273)) * _e253);
+                                                                let _e288 = bitcast<u32>(_e214);
+                                                                let _e290 = ((_e288 & 2139095040u) != 0u);
+                                                                let _e304 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e288 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e288 & 2147483648u))), _e214, _e290) * _e247) * select(0.00000011920929f, 1f, _e290)) * _e253);
+                                                                let _e305 = (_e187 != 0u);
+                                                                let _e319 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e186 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e186 & 2147483648u))), _e159.member_2, _e305) * _e247) * select(0.00000011920929f, 1f, _e305)) * _e253);
+                                                                phi_647_ = (((bitcast<f32>((bitcast<u32>((_e270 * _e270)) ^ _e159.member_3[0])) + bitcast<f32>((bitcast<u32>((_e287 * _e287)) ^ _e159.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e304 * _e304)) ^ _e159.member_3[0]))) > bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>((_e319 * _e319)) ^ _e159.member_3[0])) * 1.000001f)) ^ _e159.member_3[0])));
                                                             }
-                                                            let _e207 = phi_410_;
-                                                            phi_411_ = _e207;
-                                                            phi_412_ = _e142;
+                                                            let _e344 = phi_647_;
+                                                            phi_648_ = _e344;
+                                                            phi_649_ = _e221;
                                                         }
-                                                        let _e209 = phi_411_;
-                                                        let _e211 = phi_412_;
-                                                        phi_413_ = _e209;
-                                                        phi_414_ = _e211;
+                                                        let _e346 = phi_648_;
+                                                        let _e348 = phi_649_;
+                                                        phi_650_ = _e346;
+                                                        phi_651_ = _e348;
                                                     }
-                                                    let _e213 = phi_413_;
-                                                    let _e215 = phi_414_;
-                                                    phi_418_ = true;
-                                                    phi_419_ = _e213;
-                                                    phi_420_ = _e215;
+                                                    let _e350 = phi_650_;
+                                                    let _e352 = phi_651_;
+                                                    phi_655_ = true;
+                                                    phi_656_ = _e350;
+                                                    phi_657_ = _e352;
                                                 }
-                                                let _e242 = phi_418_;
-                                                let _e244 = phi_419_;
-                                                let _e246 = phi_420_;
-                                                phi_421_ = _e242;
-                                                phi_422_ = _e244;
-                                                phi_423_ = _e246;
+                                                let _e379 = phi_655_;
+                                                let _e381 = phi_656_;
+                                                let _e383 = phi_657_;
+                                                phi_658_ = _e379;
+                                                phi_659_ = _e381;
+                                                phi_660_ = _e383;
                                             }
-                                            let _e248 = phi_421_;
-                                            let _e250 = phi_422_;
-                                            let _e252 = phi_423_;
-                                            phi_424_ = _e248;
-                                            phi_425_ = _e250;
-                                            phi_426_ = _e110;
-                                            phi_427_ = _e252;
+                                            let _e385 = phi_658_;
+                                            let _e387 = phi_659_;
+                                            let _e389 = phi_660_;
+                                            phi_661_ = _e385;
+                                            phi_662_ = _e387;
+                                            phi_663_ = _e189;
+                                            phi_664_ = _e389;
                                         } else {
-                                            phi_424_ = bool();
-                                            phi_425_ = bool();
-                                            phi_426_ = true;
-                                            phi_427_ = false;
+                                            phi_661_ = bool();
+                                            phi_662_ = bool();
+                                            phi_663_ = true;
+                                            phi_664_ = false;
                                         }
-                                        let _e254 = phi_424_;
-                                        let _e256 = phi_425_;
-                                        let _e258 = phi_426_;
-                                        let _e260 = phi_427_;
-                                        phi_436_ = select(_e254, false, _e258);
-                                        phi_437_ = _e256;
-                                        phi_438_ = select(_e260, true, _e258);
+                                        let _e391 = phi_661_;
+                                        let _e393 = phi_662_;
+                                        let _e395 = phi_663_;
+                                        let _e397 = phi_664_;
+                                        phi_673_ = select(_e391, false, _e395);
+                                        phi_674_ = _e393;
+                                        phi_675_ = select(_e397, true, _e395);
                                     }
-                                    let _e264 = phi_436_;
-                                    let _e266 = phi_437_;
-                                    let _e268 = phi_438_;
-                                    phi_439_ = _e264;
-                                    phi_440_ = _e266;
-                                    phi_442_ = _e268;
+                                    let _e401 = phi_673_;
+                                    let _e403 = phi_674_;
+                                    let _e405 = phi_675_;
+                                    phi_676_ = _e401;
+                                    phi_677_ = _e403;
+                                    phi_679_ = _e405;
                                 } else {
-                                    phi_439_ = bool();
-                                    phi_440_ = bool();
-                                    phi_442_ = false;
+                                    phi_676_ = bool();
+                                    phi_677_ = bool();
+                                    phi_679_ = false;
                                 }
-                                let _e270 = phi_439_;
-                                let _e272 = phi_440_;
-                                let _e274 = phi_442_;
-                                phi_443_ = _e270;
-                                phi_444_ = _e272;
-                                phi_445_ = select(true, false, _e105);
-                                phi_446_ = _e274;
+                                let _e407 = phi_676_;
+                                let _e409 = phi_677_;
+                                let _e411 = phi_679_;
+                                phi_680_ = _e407;
+                                phi_681_ = _e409;
+                                phi_682_ = select(true, false, _e180);
+                                phi_683_ = _e411;
                             } else {
-                                phi_443_ = bool();
-                                phi_444_ = bool();
-                                phi_445_ = true;
-                                phi_446_ = false;
+                                phi_680_ = bool();
+                                phi_681_ = bool();
+                                phi_682_ = true;
+                                phi_683_ = false;
                             }
-                            let _e277 = phi_443_;
-                            let _e279 = phi_444_;
-                            let _e281 = phi_445_;
-                            let _e283 = phi_446_;
-                            phi_447_ = _e277;
-                            phi_448_ = _e279;
-                            phi_449_ = _e281;
-                            phi_450_ = _e283;
+                            let _e414 = phi_680_;
+                            let _e416 = phi_681_;
+                            let _e418 = phi_682_;
+                            let _e420 = phi_683_;
+                            phi_684_ = _e414;
+                            phi_685_ = _e416;
+                            phi_686_ = _e418;
+                            phi_687_ = _e420;
                         } else {
-                            phi_447_ = bool();
-                            phi_448_ = bool();
-                            phi_449_ = true;
-                            phi_450_ = false;
+                            phi_684_ = bool();
+                            phi_685_ = bool();
+                            phi_686_ = true;
+                            phi_687_ = false;
                         }
-                        let _e285 = phi_447_;
-                        let _e287 = phi_448_;
-                        let _e289 = phi_449_;
-                        let _e291 = phi_450_;
-                        if select(_e287, select(_e285, false, _e289), select(_e291, true, _e289)) {
-                            let _e298 = global_3.member[_e41].member_4;
-                            if (_e298 == 0u) {
-                                let _e303 = global_3.member[_e41].member_2;
-                                let _e307 = global_3.member[_e41].member_3;
-                                let _e308 = (2f * _e307);
-                                if (_e303 > _e308) {
-                                    phi_489_ = 1i;
+                        let _e422 = phi_684_;
+                        let _e424 = phi_685_;
+                        let _e426 = phi_686_;
+                        let _e428 = phi_687_;
+                        if select(_e424, select(_e422, false, _e426), select(_e428, true, _e426)) {
+                            let _e435 = global_3.member[_e48].member_4;
+                            if (_e435 == 0u) {
+                                let _e440 = global_3.member[_e48].member_2;
+                                let _e444 = global_3.member[_e48].member_3;
+                                let _e445 = (2f * _e444);
+                                if (_e440 > _e445) {
+                                    phi_726_ = 1i;
                                 } else {
-                                    phi_489_ = select(0i, -1i, (-(_e303) > _e308));
+                                    phi_726_ = select(0i, -1i, (-(_e440) > _e445));
                                 }
-                                let _e314 = phi_489_;
-                                phi_490_ = _e314;
+                                let _e451 = phi_726_;
+                                phi_727_ = _e451;
                             } else {
-                                phi_490_ = 0i;
+                                phi_727_ = 0i;
                             }
-                            let _e316 = phi_490_;
-                            phi_491_ = _e316;
+                            let _e453 = phi_727_;
+                            phi_728_ = _e453;
                         } else {
-                            phi_491_ = 0i;
+                            phi_728_ = 0i;
                         }
-                        let _e318 = phi_491_;
-                        if _e48 {
+                        let _e455 = phi_728_;
+                        if _e55 {
                         } else {
                             break;
                         }
-                        global_4.member[_e47] = _e318;
+                        global_4.member[_e54] = _e455;
                     }
                 }
             }

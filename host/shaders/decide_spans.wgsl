@@ -62,441 +62,465 @@ var<storage, read_write> global_8: type_32;
 var<workgroup> global_9: array<type_30, 64>;
 
 fn function_() {
-    var phi_163_: type_35;
-    var phi_182_: i32;
-    var phi_219_: array<f32, 3>;
-    var phi_251_: u32;
-    var phi_254_: type_5;
-    var phi_257_: type_30;
-    var phi_255_: type_5;
-    var phi_280_: type_5;
-    var phi_310_: array<u32, 3>;
-    var phi_325_: array<f32, 3>;
-    var phi_343_: array<f32, 3>;
-    var phi_361_: array<f32, 3>;
-    var phi_623_: type_30;
-    var phi_258_: type_30;
-    var phi_1069_: bool;
-    var phi_640_: u32;
-    var phi_643_: type_5;
-    var phi_646_: type_30;
-    var phi_644_: type_5;
-    var phi_669_: type_5;
-    var phi_699_: array<u32, 2>;
-    var phi_715_: array<f32, 3>;
-    var phi_729_: array<f32, 3>;
-    var phi_743_: bool;
-    var phi_760_: bool;
-    var phi_777_: bool;
-    var phi_778_: bool;
-    var phi_780_: bool;
-    var phi_781_: bool;
-    var phi_791_: type_30;
-    var phi_647_: type_30;
-    var phi_1107_: bool;
+    var phi_171_: type_35;
+    var phi_190_: i32;
+    var phi_227_: array<f32, 3>;
+    var phi_346_: u32;
+    var phi_349_: type_5;
+    var phi_352_: type_30;
+    var phi_350_: type_5;
+    var phi_375_: type_5;
+    var phi_405_: array<u32, 3>;
+    var phi_420_: array<f32, 3>;
+    var phi_438_: array<f32, 3>;
+    var phi_456_: array<f32, 3>;
+    var phi_979_: type_30;
+    var phi_353_: type_30;
+    var phi_1437_: bool;
+    var phi_996_: u32;
+    var phi_999_: type_5;
+    var phi_1002_: type_30;
+    var phi_1000_: type_5;
+    var phi_1025_: type_5;
+    var phi_1055_: array<u32, 2>;
+    var phi_1071_: array<f32, 3>;
+    var phi_1085_: array<f32, 3>;
+    var phi_1099_: bool;
+    var phi_1116_: bool;
+    var phi_1133_: bool;
+    var phi_1134_: bool;
+    var phi_1136_: bool;
+    var phi_1137_: bool;
+    var phi_1147_: type_30;
+    var phi_1003_: type_30;
+    var phi_1499_: bool;
     var local: type_30;
     var local_1: type_30;
     var local_2: type_30;
     var local_3: type_30;
     var local_4: type_30;
-    var phi_815_: type_5;
-    var phi_818_: u32;
-    var phi_816_: type_5;
-    var phi_841_: type_5;
-    var phi_819_: u32;
-    var phi_1122_: bool;
+    var phi_1171_: type_5;
+    var phi_1174_: u32;
+    var phi_1172_: type_5;
+    var phi_1197_: type_5;
+    var phi_1175_: u32;
+    var phi_1514_: bool;
     var local_5: type_30;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e46 = global;
-            let _e47 = global_1;
-            let _e50 = arrayLength((&global_4.member));
-            let _e64 = (_e46.x + (_e46.y * 32768u));
-            let _e65 = (_e64 < arrayLength((&global_7.member)));
-            if _e65 {
-                if _e65 {
+            let _e54 = global;
+            let _e55 = global_1;
+            let _e58 = arrayLength((&global_4.member));
+            let _e72 = (_e54.x + (_e54.y * 32768u));
+            let _e73 = (_e72 < arrayLength((&global_7.member)));
+            if _e73 {
+                if _e73 {
                 } else {
                     break;
                 }
-                let _e68 = global_7.member[_e64];
-                phi_163_ = _e68;
+                let _e76 = global_7.member[_e72];
+                phi_171_ = _e76;
             } else {
-                phi_163_ = type_35(0u, 0u, 0u, 0u, 0u);
+                phi_171_ = type_35(0u, 0u, 0u, 0u, 0u);
             }
-            let _e70 = phi_163_;
-            let _e73 = global_2.member[0u];
-            let _e74 = bitcast<i32>(_e73);
-            if (_e74 < -126i) {
-                phi_182_ = -126i;
+            let _e78 = phi_171_;
+            let _e81 = global_2.member[0u];
+            let _e82 = bitcast<i32>(_e81);
+            if (_e82 < -126i) {
+                phi_190_ = -126i;
             } else {
-                phi_182_ = select(_e74, 127i, (_e74 > 127i));
+                phi_190_ = select(_e82, 127i, (_e82 > 127i));
             }
-            let _e79 = phi_182_;
-            let _e84 = bitcast<f32>((bitcast<u32>((_e79 + 127i)) << bitcast<u32>(23i)));
-            let _e90 = bitcast<f32>((bitcast<u32>(((_e74 - _e79) + 127i)) << bitcast<u32>(23i)));
-            let _e93 = global_3.member[0u];
-            let _e95 = (_e70.member < _e50);
-            if _e95 {
-                if _e95 {
+            let _e87 = phi_190_;
+            let _e92 = bitcast<f32>((bitcast<u32>((_e87 + 127i)) << bitcast<u32>(23i)));
+            let _e98 = bitcast<f32>((bitcast<u32>(((_e82 - _e87) + 127i)) << bitcast<u32>(23i)));
+            let _e101 = global_3.member[0u];
+            let _e103 = (_e78.member < _e58);
+            if _e103 {
+                if _e103 {
                 } else {
                     break;
                 }
-                let _e97 = global_4.member[_e70.member];
-                phi_219_ = _e97;
+                let _e105 = global_4.member[_e78.member];
+                phi_227_ = _e105;
             } else {
-                phi_219_ = array<f32, 3>(0f, 0f, 0f);
+                phi_227_ = array<f32, 3>(0f, 0f, 0f);
             }
-            let _e99 = phi_219_;
-            let _e110 = (_e70.member_2 / 64u);
-            if ((_e70.member_2 % 64u) > 0u) {
-                phi_251_ = (_e110 + 1u);
+            let _e107 = phi_227_;
+            let _e109 = bitcast<u32>(_e107[0]);
+            let _e111 = ((_e109 & 2139095040u) != 0u);
+            let _e127 = bitcast<u32>(_e107[1]);
+            let _e129 = ((_e127 & 2139095040u) != 0u);
+            let _e145 = bitcast<u32>(_e107[2]);
+            let _e147 = ((_e145 & 2139095040u) != 0u);
+            let _e163 = (_e78.member_2 / 64u);
+            if ((_e78.member_2 % 64u) > 0u) {
+                phi_346_ = (_e163 + 1u);
             } else {
-                phi_251_ = _e110;
+                phi_346_ = _e163;
             }
-            let _e115 = phi_251_;
-            phi_254_ = type_5(0u, _e115);
-            phi_257_ = type_30(array<f32, 3>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), array<f32, 3>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f), 0f, 0f, 0u);
+            let _e168 = phi_346_;
+            phi_349_ = type_5(0u, _e168);
+            phi_352_ = type_30(array<f32, 3>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), array<f32, 3>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f), 0f, 0f, 0u);
             loop {
-                let _e118 = phi_254_;
-                let _e120 = phi_257_;
-                local_5 = _e120;
-                if (_e118.member < _e118.member_1) {
-                    phi_255_ = type_5((_e118.member + 1u), _e118.member_1);
-                    phi_280_ = type_5(1u, _e118.member);
+                let _e171 = phi_349_;
+                let _e173 = phi_352_;
+                local_5 = _e173;
+                if (_e171.member < _e171.member_1) {
+                    phi_350_ = type_5((_e171.member + 1u), _e171.member_1);
+                    phi_375_ = type_5(1u, _e171.member);
                 } else {
-                    phi_255_ = _e118;
-                    phi_280_ = type_5(0u, type_5().member_1);
+                    phi_350_ = _e171;
+                    phi_375_ = type_5(0u, type_5().member_1);
                 }
-                let _e133 = phi_255_;
-                let _e135 = phi_280_;
-                let _e139 = (bitcast<i32>(_e135.member) != 0i);
-                if _e139 {
-                    let _e141 = ((_e135.member_1 * 64u) + _e47);
-                    if (_e141 < _e70.member_2) {
-                        let _e144 = (_e70.member_1 + _e141);
-                        let _e145 = (_e144 < arrayLength((&global_5.member)));
-                        if _e145 {
-                            if _e145 {
+                let _e186 = phi_350_;
+                let _e188 = phi_375_;
+                let _e192 = (bitcast<i32>(_e188.member) != 0i);
+                if _e192 {
+                    let _e194 = ((_e188.member_1 * 64u) + _e55);
+                    if (_e194 < _e78.member_2) {
+                        let _e197 = (_e78.member_1 + _e194);
+                        let _e198 = (_e197 < arrayLength((&global_5.member)));
+                        if _e198 {
+                            if _e198 {
                             } else {
-                                phi_1069_ = true;
+                                phi_1437_ = true;
                                 break;
                             }
-                            let _e147 = global_5.member[_e144];
-                            phi_310_ = _e147;
+                            let _e200 = global_5.member[_e197];
+                            phi_405_ = _e200;
                         } else {
-                            phi_310_ = array<u32, 3>(0u, 0u, 0u);
+                            phi_405_ = array<u32, 3>(0u, 0u, 0u);
                         }
-                        let _e149 = phi_310_;
-                        let _e151 = (_e149[0] < _e50);
-                        if _e151 {
-                            if _e151 {
+                        let _e202 = phi_405_;
+                        let _e204 = (_e202[0] < _e58);
+                        if _e204 {
+                            if _e204 {
                             } else {
-                                phi_1069_ = true;
+                                phi_1437_ = true;
                                 break;
                             }
-                            let _e153 = global_4.member[_e149[0]];
-                            phi_325_ = _e153;
+                            let _e206 = global_4.member[_e202[0]];
+                            phi_420_ = _e206;
                         } else {
-                            phi_325_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_420_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e155 = phi_325_;
-                        let _e160 = (_e149[1] < _e50);
-                        if _e160 {
-                            if _e160 {
+                        let _e208 = phi_420_;
+                        let _e213 = (_e202[1] < _e58);
+                        if _e213 {
+                            if _e213 {
                             } else {
-                                phi_1069_ = true;
+                                phi_1437_ = true;
                                 break;
                             }
-                            let _e162 = global_4.member[_e149[1]];
-                            phi_343_ = _e162;
+                            let _e215 = global_4.member[_e202[1]];
+                            phi_438_ = _e215;
                         } else {
-                            phi_343_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_438_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e164 = phi_343_;
-                        let _e169 = (_e149[2] < _e50);
-                        if _e169 {
-                            if _e169 {
+                        let _e217 = phi_438_;
+                        let _e222 = (_e202[2] < _e58);
+                        if _e222 {
+                            if _e222 {
                             } else {
-                                phi_1069_ = true;
+                                phi_1437_ = true;
                                 break;
                             }
-                            let _e171 = global_4.member[_e149[2]];
-                            phi_361_ = _e171;
+                            let _e224 = global_4.member[_e202[2]];
+                            phi_456_ = _e224;
                         } else {
-                            phi_361_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_456_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e173 = phi_361_;
-                        let _e178 = ((_e155[0] * _e84) * _e90);
-                        let _e180 = ((_e155[1] * _e84) * _e90);
-                        let _e182 = ((_e155[2] * _e84) * _e90);
-                        let _e183 = (_e178 - ((_e99[0] * _e84) * _e90));
-                        let _e184 = (_e180 - ((_e99[1] * _e84) * _e90));
-                        let _e185 = (_e182 - ((_e99[2] * _e84) * _e90));
-                        let _e192 = (((_e164[0] * _e84) * _e90) - _e178);
-                        let _e193 = (((_e164[1] * _e84) * _e90) - _e180);
-                        let _e194 = (((_e164[2] * _e84) * _e90) - _e182);
-                        let _e201 = (((_e173[0] * _e84) * _e90) - _e178);
-                        let _e202 = (((_e173[1] * _e84) * _e90) - _e180);
-                        let _e203 = (((_e173[2] * _e84) * _e90) - _e182);
-                        let _e207 = bitcast<f32>((bitcast<u32>((_e192 * _e202)) ^ _e93));
-                        let _e211 = bitcast<f32>((bitcast<u32>((_e193 * _e201)) ^ _e93));
-                        let _e215 = bitcast<f32>((bitcast<u32>((_e193 * _e203)) ^ _e93));
-                        let _e219 = bitcast<f32>((bitcast<u32>((_e194 * _e202)) ^ _e93));
-                        let _e223 = bitcast<f32>((bitcast<u32>((_e194 * _e201)) ^ _e93));
-                        let _e227 = bitcast<f32>((bitcast<u32>((_e192 * _e203)) ^ _e93));
-                        let _e290 = select(_e164[0], _e155[0], (_e155[0] < _e164[0]));
-                        let _e292 = select(_e164[1], _e155[1], (_e155[1] < _e164[1]));
-                        let _e294 = select(_e164[2], _e155[2], (_e155[2] < _e164[2]));
-                        let _e296 = select(_e173[0], _e290, (_e290 < _e173[0]));
-                        let _e298 = select(_e173[1], _e292, (_e292 < _e173[1]));
-                        let _e300 = select(_e173[2], _e294, (_e294 < _e173[2]));
-                        let _e302 = select(_e164[0], _e155[0], (_e155[0] > _e164[0]));
-                        let _e304 = select(_e164[1], _e155[1], (_e155[1] > _e164[1]));
-                        let _e306 = select(_e164[2], _e155[2], (_e155[2] > _e164[2]));
-                        let _e308 = select(_e173[0], _e302, (_e302 > _e173[0]));
-                        let _e310 = select(_e173[1], _e304, (_e304 > _e173[1]));
-                        let _e312 = select(_e173[2], _e306, (_e306 > _e173[2]));
-                        let _e314 = select(_e296, 0f, (_e296 == 0f));
-                        let _e316 = select(_e298, 0f, (_e298 == 0f));
-                        let _e318 = select(_e300, 0f, (_e300 == 0f));
-                        let _e320 = select(_e308, 0f, (_e308 == 0f));
-                        let _e322 = select(_e310, 0f, (_e310 == 0f));
-                        let _e324 = select(_e312, 0f, (_e312 == 0f));
-                        let _e331 = (_e120.member_2 + ((bitcast<f32>((bitcast<u32>((_e183 * (_e215 - _e219))) ^ _e93)) + bitcast<f32>((bitcast<u32>((_e184 * (_e223 - _e227))) ^ _e93))) + bitcast<f32>((bitcast<u32>((_e185 * (_e207 - _e211))) ^ _e93))));
-                        phi_623_ = type_30(array<f32, 3>(select(_e314, _e120.member[0], (_e120.member[0] < _e314)), select(_e316, _e120.member[1], (_e120.member[1] < _e316)), select(_e318, _e120.member[2], (_e120.member[2] < _e318))), array<f32, 3>(select(_e320, _e120.member_1[0], (_e120.member_1[0] > _e320)), select(_e322, _e120.member_1[1], (_e120.member_1[1] > _e322)), select(_e324, _e120.member_1[2], (_e120.member_1[2] > _e324))), _e331, ((_e120.member_3 + (bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e183) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e215) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e219) & 2147483647u))))) ^ _e93)) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e184) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e223) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e227) & 2147483647u))))) ^ _e93))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e185) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e207) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e211) & 2147483647u))))) ^ _e93))))) ^ _e93)) + 0.0000000000000000000000000000000000030092655f)) + (0.000000059604645f * bitcast<f32>((bitcast<u32>(_e331) & 2147483647u)))), _e120.member_4);
+                        let _e226 = phi_456_;
+                        let _e230 = bitcast<u32>(_e208[0]);
+                        let _e232 = ((_e230 & 2139095040u) != 0u);
+                        let _e246 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e230 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e230 & 2147483648u))), _e208[0], _e232) * _e92) * select(0.00000011920929f, 1f, _e232)) * _e98);
+                        let _e247 = bitcast<u32>(_e208[1]);
+                        let _e249 = ((_e247 & 2139095040u) != 0u);
+                        let _e263 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e247 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e247 & 2147483648u))), _e208[1], _e249) * _e92) * select(0.00000011920929f, 1f, _e249)) * _e98);
+                        let _e264 = bitcast<u32>(_e208[2]);
+                        let _e266 = ((_e264 & 2139095040u) != 0u);
+                        let _e280 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e264 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e264 & 2147483648u))), _e208[2], _e266) * _e92) * select(0.00000011920929f, 1f, _e266)) * _e98);
+                        let _e281 = (_e246 - (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e109 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e109 & 2147483648u))), _e107[0], _e111) * _e92) * select(0.00000011920929f, 1f, _e111)) * _e98));
+                        let _e282 = (_e263 - (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e127 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e127 & 2147483648u))), _e107[1], _e129) * _e92) * select(0.00000011920929f, 1f, _e129)) * _e98));
+                        let _e283 = (_e280 - (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e145 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e145 & 2147483648u))), _e107[2], _e147) * _e92) * select(0.00000011920929f, 1f, _e147)) * _e98));
+                        let _e284 = bitcast<u32>(_e217[0]);
+                        let _e286 = ((_e284 & 2139095040u) != 0u);
+                        let _e301 = bitcast<u32>(_e217[1]);
+                        let _e303 = ((_e301 & 2139095040u) != 0u);
+                        let _e318 = bitcast<u32>(_e217[2]);
+                        let _e320 = ((_e318 & 2139095040u) != 0u);
+                        let _e335 = ((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e284 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e284 & 2147483648u))), _e217[0], _e286) * _e92) * select(0.00000011920929f, 1f, _e286)) * _e98) - _e246);
+                        let _e336 = ((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e301 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e301 & 2147483648u))), _e217[1], _e303) * _e92) * select(0.00000011920929f, 1f, _e303)) * _e98) - _e263);
+                        let _e337 = ((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e217[2], _e320) * _e92) * select(0.00000011920929f, 1f, _e320)) * _e98) - _e280);
+                        let _e338 = bitcast<u32>(_e226[0]);
+                        let _e340 = ((_e338 & 2139095040u) != 0u);
+                        let _e355 = bitcast<u32>(_e226[1]);
+                        let _e357 = ((_e355 & 2139095040u) != 0u);
+                        let _e372 = bitcast<u32>(_e226[2]);
+                        let _e374 = ((_e372 & 2139095040u) != 0u);
+                        let _e389 = ((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e338 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e338 & 2147483648u))), _e226[0], _e340) * _e92) * select(0.00000011920929f, 1f, _e340)) * _e98) - _e246);
+                        let _e390 = ((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e355 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e355 & 2147483648u))), _e226[1], _e357) * _e92) * select(0.00000011920929f, 1f, _e357)) * _e98) - _e263);
+                        let _e391 = ((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e372 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e372 & 2147483648u))), _e226[2], _e374) * _e92) * select(0.00000011920929f, 1f, _e374)) * _e98) - _e280);
+                        let _e395 = bitcast<f32>((bitcast<u32>((_e335 * _e390)) ^ _e101));
+                        let _e399 = bitcast<f32>((bitcast<u32>((_e336 * _e389)) ^ _e101));
+                        let _e403 = bitcast<f32>((bitcast<u32>((_e336 * _e391)) ^ _e101));
+                        let _e407 = bitcast<f32>((bitcast<u32>((_e337 * _e390)) ^ _e101));
+                        let _e411 = bitcast<f32>((bitcast<u32>((_e337 * _e389)) ^ _e101));
+                        let _e415 = bitcast<f32>((bitcast<u32>((_e335 * _e391)) ^ _e101));
+                        let _e478 = select(_e217[0], _e208[0], (_e208[0] < _e217[0]));
+                        let _e480 = select(_e217[1], _e208[1], (_e208[1] < _e217[1]));
+                        let _e482 = select(_e217[2], _e208[2], (_e208[2] < _e217[2]));
+                        let _e484 = select(_e226[0], _e478, (_e478 < _e226[0]));
+                        let _e486 = select(_e226[1], _e480, (_e480 < _e226[1]));
+                        let _e488 = select(_e226[2], _e482, (_e482 < _e226[2]));
+                        let _e490 = select(_e217[0], _e208[0], (_e208[0] > _e217[0]));
+                        let _e492 = select(_e217[1], _e208[1], (_e208[1] > _e217[1]));
+                        let _e494 = select(_e217[2], _e208[2], (_e208[2] > _e217[2]));
+                        let _e496 = select(_e226[0], _e490, (_e490 > _e226[0]));
+                        let _e498 = select(_e226[1], _e492, (_e492 > _e226[1]));
+                        let _e500 = select(_e226[2], _e494, (_e494 > _e226[2]));
+                        let _e504 = select(_e484, 0f, ((bitcast<u32>(_e484) & 2147483647u) == 0u));
+                        let _e508 = select(_e486, 0f, ((bitcast<u32>(_e486) & 2147483647u) == 0u));
+                        let _e512 = select(_e488, 0f, ((bitcast<u32>(_e488) & 2147483647u) == 0u));
+                        let _e516 = select(_e496, 0f, ((bitcast<u32>(_e496) & 2147483647u) == 0u));
+                        let _e520 = select(_e498, 0f, ((bitcast<u32>(_e498) & 2147483647u) == 0u));
+                        let _e524 = select(_e500, 0f, ((bitcast<u32>(_e500) & 2147483647u) == 0u));
+                        let _e531 = (_e173.member_2 + ((bitcast<f32>((bitcast<u32>((_e281 * (_e403 - _e407))) ^ _e101)) + bitcast<f32>((bitcast<u32>((_e282 * (_e411 - _e415))) ^ _e101))) + bitcast<f32>((bitcast<u32>((_e283 * (_e395 - _e399))) ^ _e101))));
+                        phi_979_ = type_30(array<f32, 3>(select(_e504, _e173.member[0], (_e173.member[0] < _e504)), select(_e508, _e173.member[1], (_e173.member[1] < _e508)), select(_e512, _e173.member[2], (_e173.member[2] < _e512))), array<f32, 3>(select(_e516, _e173.member_1[0], (_e173.member_1[0] > _e516)), select(_e520, _e173.member_1[1], (_e173.member_1[1] > _e520)), select(_e524, _e173.member_1[2], (_e173.member_1[2] > _e524))), _e531, ((_e173.member_3 + (bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e281) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e407) & 2147483647u))))) ^ _e101)) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e282) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e411) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e415) & 2147483647u))))) ^ _e101))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e283) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e395) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e399) & 2147483647u))))) ^ _e101))))) ^ _e101)) + 0.0000000000000000000000000000000000030092655f)) + (0.000000059604645f * bitcast<f32>((bitcast<u32>(_e531) & 2147483647u)))), _e173.member_4);
                     } else {
-                        phi_623_ = _e120;
+                        phi_979_ = _e173;
                     }
-                    let _e364 = phi_623_;
-                    phi_258_ = _e364;
+                    let _e564 = phi_979_;
+                    phi_353_ = _e564;
                 } else {
-                    phi_258_ = type_30();
+                    phi_353_ = type_30();
                 }
-                let _e366 = phi_258_;
+                let _e566 = phi_353_;
                 continue;
                 continuing {
-                    phi_254_ = _e133;
-                    phi_257_ = _e366;
-                    phi_1069_ = false;
-                    break if !(_e139);
+                    phi_349_ = _e186;
+                    phi_352_ = _e566;
+                    phi_1437_ = false;
+                    break if !(_e192);
                 }
             }
-            let _e369 = phi_1069_;
-            if _e369 {
+            let _e569 = phi_1437_;
+            if _e569 {
                 break;
             }
-            let _e371 = (_e70.member_4 / 64u);
-            if ((_e70.member_4 % 64u) > 0u) {
-                phi_640_ = (_e371 + 1u);
+            let _e571 = (_e78.member_4 / 64u);
+            if ((_e78.member_4 % 64u) > 0u) {
+                phi_996_ = (_e571 + 1u);
             } else {
-                phi_640_ = _e371;
+                phi_996_ = _e571;
             }
-            let _e376 = phi_640_;
-            phi_643_ = type_5(0u, _e376);
-            let _e627 = local_5;
-            phi_646_ = _e627;
+            let _e576 = phi_996_;
+            phi_999_ = type_5(0u, _e576);
+            let _e827 = local_5;
+            phi_1002_ = _e827;
             loop {
-                let _e379 = phi_643_;
-                let _e381 = phi_646_;
-                local = _e381;
-                local_1 = _e381;
-                local_2 = _e381;
-                local_3 = _e381;
-                local_4 = _e381;
-                if (_e379.member < _e379.member_1) {
-                    phi_644_ = type_5((_e379.member + 1u), _e379.member_1);
-                    phi_669_ = type_5(1u, _e379.member);
+                let _e579 = phi_999_;
+                let _e581 = phi_1002_;
+                local = _e581;
+                local_1 = _e581;
+                local_2 = _e581;
+                local_3 = _e581;
+                local_4 = _e581;
+                if (_e579.member < _e579.member_1) {
+                    phi_1000_ = type_5((_e579.member + 1u), _e579.member_1);
+                    phi_1025_ = type_5(1u, _e579.member);
                 } else {
-                    phi_644_ = _e379;
-                    phi_669_ = type_5(0u, type_5().member_1);
+                    phi_1000_ = _e579;
+                    phi_1025_ = type_5(0u, type_5().member_1);
                 }
-                let _e394 = phi_644_;
-                let _e396 = phi_669_;
-                let _e400 = (bitcast<i32>(_e396.member) != 0i);
-                if _e400 {
-                    let _e402 = ((_e396.member_1 * 64u) + _e47);
-                    if (_e402 < _e70.member_4) {
-                        let _e405 = (_e70.member_3 + _e402);
-                        let _e406 = (_e405 < arrayLength((&global_6.member)));
-                        if _e406 {
-                            if _e406 {
+                let _e594 = phi_1000_;
+                let _e596 = phi_1025_;
+                let _e600 = (bitcast<i32>(_e596.member) != 0i);
+                if _e600 {
+                    let _e602 = ((_e596.member_1 * 64u) + _e55);
+                    if (_e602 < _e78.member_4) {
+                        let _e605 = (_e78.member_3 + _e602);
+                        let _e606 = (_e605 < arrayLength((&global_6.member)));
+                        if _e606 {
+                            if _e606 {
                             } else {
-                                phi_1107_ = true;
+                                phi_1499_ = true;
                                 break;
                             }
-                            let _e408 = global_6.member[_e405];
-                            phi_699_ = _e408;
+                            let _e608 = global_6.member[_e605];
+                            phi_1055_ = _e608;
                         } else {
-                            phi_699_ = array<u32, 2>(0u, 0u);
+                            phi_1055_ = array<u32, 2>(0u, 0u);
                         }
-                        let _e410 = phi_699_;
-                        let _e413 = (_e410[0] < _e50);
-                        if _e413 {
-                            if _e413 {
+                        let _e610 = phi_1055_;
+                        let _e613 = (_e610[0] < _e58);
+                        if _e613 {
+                            if _e613 {
                             } else {
-                                phi_1107_ = true;
+                                phi_1499_ = true;
                                 break;
                             }
-                            let _e415 = global_4.member[_e410[0]];
-                            phi_715_ = _e415;
+                            let _e615 = global_4.member[_e610[0]];
+                            phi_1071_ = _e615;
                         } else {
-                            phi_715_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_1071_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e417 = phi_715_;
-                        let _e418 = (_e410[1] < _e50);
-                        if _e418 {
-                            if _e418 {
+                        let _e617 = phi_1071_;
+                        let _e618 = (_e610[1] < _e58);
+                        if _e618 {
+                            if _e618 {
                             } else {
-                                phi_1107_ = true;
+                                phi_1499_ = true;
                                 break;
                             }
-                            let _e420 = global_4.member[_e410[1]];
-                            phi_729_ = _e420;
+                            let _e620 = global_4.member[_e610[1]];
+                            phi_1085_ = _e620;
                         } else {
-                            phi_729_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_1085_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e422 = phi_729_;
-                        let _e425 = bitcast<u32>(_e417[0]);
-                        let _e426 = bitcast<u32>(_e422[0]);
-                        if (_e425 == _e426) {
-                            phi_743_ = true;
+                        let _e622 = phi_1085_;
+                        let _e625 = bitcast<u32>(_e617[0]);
+                        let _e626 = bitcast<u32>(_e622[0]);
+                        if (_e625 == _e626) {
+                            phi_1099_ = true;
                         } else {
-                            phi_743_ = (((_e425 | _e426) << bitcast<u32>(1i)) == 0u);
+                            phi_1099_ = (((_e625 | _e626) << bitcast<u32>(1i)) == 0u);
                         }
-                        let _e433 = phi_743_;
-                        if _e433 {
-                            let _e436 = bitcast<u32>(_e417[1]);
-                            let _e437 = bitcast<u32>(_e422[1]);
-                            if (_e436 == _e437) {
-                                phi_760_ = true;
+                        let _e633 = phi_1099_;
+                        if _e633 {
+                            let _e636 = bitcast<u32>(_e617[1]);
+                            let _e637 = bitcast<u32>(_e622[1]);
+                            if (_e636 == _e637) {
+                                phi_1116_ = true;
                             } else {
-                                phi_760_ = (((_e436 | _e437) << bitcast<u32>(1i)) == 0u);
+                                phi_1116_ = (((_e636 | _e637) << bitcast<u32>(1i)) == 0u);
                             }
-                            let _e444 = phi_760_;
-                            if _e444 {
-                                let _e447 = bitcast<u32>(_e417[2]);
-                                let _e448 = bitcast<u32>(_e422[2]);
-                                if (_e447 == _e448) {
-                                    phi_777_ = true;
+                            let _e644 = phi_1116_;
+                            if _e644 {
+                                let _e647 = bitcast<u32>(_e617[2]);
+                                let _e648 = bitcast<u32>(_e622[2]);
+                                if (_e647 == _e648) {
+                                    phi_1133_ = true;
                                 } else {
-                                    phi_777_ = (((_e447 | _e448) << bitcast<u32>(1i)) == 0u);
+                                    phi_1133_ = (((_e647 | _e648) << bitcast<u32>(1i)) == 0u);
                                 }
-                                let _e455 = phi_777_;
-                                phi_778_ = _e455;
+                                let _e655 = phi_1133_;
+                                phi_1134_ = _e655;
                             } else {
-                                phi_778_ = bool();
+                                phi_1134_ = bool();
                             }
-                            let _e457 = phi_778_;
-                            phi_780_ = _e457;
-                            phi_781_ = select(true, false, _e444);
+                            let _e657 = phi_1134_;
+                            phi_1136_ = _e657;
+                            phi_1137_ = select(true, false, _e644);
                         } else {
-                            phi_780_ = bool();
-                            phi_781_ = true;
+                            phi_1136_ = bool();
+                            phi_1137_ = true;
                         }
-                        let _e460 = phi_780_;
-                        let _e462 = phi_781_;
-                        phi_791_ = type_30(_e381.member, _e381.member_1, _e381.member_2, _e381.member_3, (_e381.member_4 | select(0u, 1u, !(select(_e460, false, _e462)))));
+                        let _e660 = phi_1136_;
+                        let _e662 = phi_1137_;
+                        phi_1147_ = type_30(_e581.member, _e581.member_1, _e581.member_2, _e581.member_3, (_e581.member_4 | select(0u, 1u, !(select(_e660, false, _e662)))));
                     } else {
-                        phi_791_ = _e381;
+                        phi_1147_ = _e581;
                     }
-                    let _e475 = phi_791_;
-                    phi_647_ = _e475;
+                    let _e675 = phi_1147_;
+                    phi_1003_ = _e675;
                 } else {
-                    phi_647_ = type_30();
+                    phi_1003_ = type_30();
                 }
-                let _e477 = phi_647_;
+                let _e677 = phi_1003_;
                 continue;
                 continuing {
-                    phi_643_ = _e394;
-                    phi_646_ = _e477;
-                    phi_1107_ = _e369;
-                    break if !(_e400);
+                    phi_999_ = _e594;
+                    phi_1002_ = _e677;
+                    phi_1499_ = _e569;
+                    break if !(_e600);
                 }
             }
-            let _e480 = phi_1107_;
-            if _e480 {
+            let _e680 = phi_1499_;
+            if _e680 {
                 break;
             }
-            let _e481 = (_e47 % 64u);
-            let _e482 = (_e481 < 64u);
-            if _e482 {
+            let _e681 = (_e55 % 64u);
+            let _e682 = (_e681 < 64u);
+            if _e682 {
             } else {
                 break;
             }
-            let _e485 = local;
-            let _e492 = local_1;
-            let _e499 = local_2;
-            let _e502 = local_3;
-            let _e505 = local_4;
-            global_9[_e481] = type_30(array<f32, 3>(_e485.member[0], _e485.member[1], _e485.member[2]), array<f32, 3>(_e492.member_1[0], _e492.member_1[1], _e492.member_1[2]), _e499.member_2, _e502.member_3, _e505.member_4);
+            let _e685 = local;
+            let _e692 = local_1;
+            let _e699 = local_2;
+            let _e702 = local_3;
+            let _e705 = local_4;
+            global_9[_e681] = type_30(array<f32, 3>(_e685.member[0], _e685.member[1], _e685.member[2]), array<f32, 3>(_e692.member_1[0], _e692.member_1[1], _e692.member_1[2]), _e699.member_2, _e702.member_3, _e705.member_4);
             workgroupBarrier();
-            phi_815_ = type_5(0u, 6u);
-            phi_818_ = 32u;
+            phi_1171_ = type_5(0u, 6u);
+            phi_1174_ = 32u;
             loop {
-                let _e509 = phi_815_;
-                let _e511 = phi_818_;
-                if (_e509.member < _e509.member_1) {
-                    phi_816_ = type_5((_e509.member + 1u), _e509.member_1);
-                    phi_841_ = type_5(1u, _e509.member);
+                let _e709 = phi_1171_;
+                let _e711 = phi_1174_;
+                if (_e709.member < _e709.member_1) {
+                    phi_1172_ = type_5((_e709.member + 1u), _e709.member_1);
+                    phi_1197_ = type_5(1u, _e709.member);
                 } else {
-                    phi_816_ = _e509;
-                    phi_841_ = type_5(0u, type_5().member_1);
+                    phi_1172_ = _e709;
+                    phi_1197_ = type_5(0u, type_5().member_1);
                 }
-                let _e524 = phi_816_;
-                let _e526 = phi_841_;
-                let _e529 = (bitcast<i32>(_e526.member) != 0i);
-                if _e529 {
-                    if (_e47 < _e511) {
-                        if _e482 {
+                let _e724 = phi_1172_;
+                let _e726 = phi_1197_;
+                let _e729 = (bitcast<i32>(_e726.member) != 0i);
+                if _e729 {
+                    if (_e55 < _e711) {
+                        if _e682 {
                         } else {
-                            phi_1122_ = true;
+                            phi_1514_ = true;
                             break;
                         }
-                        let _e531 = global_9[_e481];
-                        let _e544 = ((_e47 + _e511) % 64u);
-                        if (_e544 < 64u) {
+                        let _e731 = global_9[_e681];
+                        let _e744 = ((_e55 + _e711) % 64u);
+                        if (_e744 < 64u) {
                         } else {
-                            phi_1122_ = true;
+                            phi_1514_ = true;
                             break;
                         }
-                        let _e547 = global_9[_e544];
-                        let _e559 = (_e531.member_2 + _e547.member_2);
-                        if _e482 {
+                        let _e747 = global_9[_e744];
+                        let _e759 = (_e731.member_2 + _e747.member_2);
+                        if _e682 {
                         } else {
-                            phi_1122_ = true;
+                            phi_1514_ = true;
                             break;
                         }
-                        global_9[_e481] = type_30(array<f32, 3>(select(_e547.member[0], _e531.member[0], (_e531.member[0] < _e547.member[0])), select(_e547.member[1], _e531.member[1], (_e531.member[1] < _e547.member[1])), select(_e547.member[2], _e531.member[2], (_e531.member[2] < _e547.member[2]))), array<f32, 3>(select(_e547.member_1[0], _e531.member_1[0], (_e531.member_1[0] > _e547.member_1[0])), select(_e547.member_1[1], _e531.member_1[1], (_e531.member_1[1] > _e547.member_1[1])), select(_e547.member_1[2], _e531.member_1[2], (_e531.member_1[2] > _e547.member_1[2]))), _e559, ((_e531.member_3 + _e547.member_3) + (0.000000059604645f * bitcast<f32>((bitcast<u32>(_e559) & 2147483647u)))), (_e531.member_4 | _e547.member_4));
+                        global_9[_e681] = type_30(array<f32, 3>(select(_e747.member[0], _e731.member[0], (_e731.member[0] < _e747.member[0])), select(_e747.member[1], _e731.member[1], (_e731.member[1] < _e747.member[1])), select(_e747.member[2], _e731.member[2], (_e731.member[2] < _e747.member[2]))), array<f32, 3>(select(_e747.member_1[0], _e731.member_1[0], (_e731.member_1[0] > _e747.member_1[0])), select(_e747.member_1[1], _e731.member_1[1], (_e731.member_1[1] > _e747.member_1[1])), select(_e747.member_1[2], _e731.member_1[2], (_e731.member_1[2] > _e747.member_1[2]))), _e759, ((_e731.member_3 + _e747.member_3) + (0.000000059604645f * bitcast<f32>((bitcast<u32>(_e759) & 2147483647u)))), (_e731.member_4 | _e747.member_4));
                     }
                     workgroupBarrier();
-                    phi_819_ = (_e511 / 2u);
+                    phi_1175_ = (_e711 / 2u);
                 } else {
-                    phi_819_ = u32();
+                    phi_1175_ = u32();
                 }
-                let _e584 = phi_819_;
+                let _e784 = phi_1175_;
                 continue;
                 continuing {
-                    phi_815_ = _e524;
-                    phi_818_ = _e584;
-                    phi_1122_ = _e480;
-                    break if !(_e529);
+                    phi_1171_ = _e724;
+                    phi_1174_ = _e784;
+                    phi_1514_ = _e680;
+                    break if !(_e729);
                 }
             }
-            let _e587 = phi_1122_;
-            if _e587 {
+            let _e787 = phi_1514_;
+            if _e787 {
                 break;
             }
-            if (_e47 == 0u) {
-                if _e65 {
-                    let _e589 = (_e64 < arrayLength((&global_8.member)));
-                    if _e589 {
-                        let _e591 = global_9[0u];
-                        if _e589 {
+            if (_e55 == 0u) {
+                if _e73 {
+                    let _e789 = (_e72 < arrayLength((&global_8.member)));
+                    if _e789 {
+                        let _e791 = global_9[0u];
+                        if _e789 {
                         } else {
                             break;
                         }
-                        global_8.member[_e64] = type_30(array<f32, 3>(_e591.member[0], _e591.member[1], _e591.member[2]), array<f32, 3>(_e591.member_1[0], _e591.member_1[1], _e591.member_1[2]), _e591.member_2, _e591.member_3, _e591.member_4);
+                        global_8.member[_e72] = type_30(array<f32, 3>(_e791.member[0], _e791.member[1], _e791.member[2]), array<f32, 3>(_e791.member_1[0], _e791.member_1[1], _e791.member_1[2]), _e791.member_2, _e791.member_3, _e791.member_4);
                     }
                 }
             }

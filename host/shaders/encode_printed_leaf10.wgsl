@@ -84,2500 +84,3712 @@ var<storage, read_write> global_6: type_45;
 var<storage, read_write> global_7: type_34;
 
 fn function_() {
-    var phi_166_: type_26;
-    var phi_184_: type_31;
-    var phi_202_: type_31;
-    var phi_254_: type_4;
-    var phi_257_: type_41;
-    var phi_259_: u32;
-    var phi_255_: type_4;
-    var phi_282_: type_4;
-    var phi_304_: type_26;
-    var phi_313_: bool;
-    var phi_331_: type_31;
-    var phi_349_: type_31;
+    var phi_170_: type_26;
+    var phi_188_: type_31;
+    var phi_206_: type_31;
+    var phi_258_: type_4;
+    var phi_261_: type_41;
+    var phi_263_: u32;
+    var phi_259_: type_4;
+    var phi_286_: type_4;
+    var phi_308_: type_26;
+    var phi_317_: bool;
+    var phi_335_: type_31;
     var phi_353_: type_31;
-    var phi_377_: f32;
-    var phi_428_: u32;
-    var phi_430_: u32;
-    var phi_431_: bool;
-    var phi_469_: u32;
-    var phi_470_: u32;
-    var phi_508_: f32;
-    var phi_559_: u32;
-    var phi_561_: u32;
-    var phi_562_: bool;
+    var phi_357_: type_31;
+    var phi_385_: f32;
+    var phi_418_: u32;
+    var phi_420_: u32;
+    var phi_421_: bool;
+    var phi_443_: u32;
+    var phi_444_: u32;
+    var phi_479_: u32;
+    var phi_481_: u32;
+    var phi_482_: bool;
+    var phi_522_: u32;
+    var phi_523_: u32;
+    var phi_567_: f32;
     var phi_600_: u32;
-    var phi_601_: u32;
-    var phi_641_: f32;
-    var phi_692_: u32;
-    var phi_694_: u32;
-    var phi_695_: bool;
-    var phi_733_: u32;
-    var phi_734_: u32;
-    var phi_774_: f32;
-    var phi_825_: u32;
-    var phi_827_: u32;
-    var phi_828_: bool;
-    var phi_866_: u32;
-    var phi_867_: u32;
-    var phi_928_: u32;
-    var phi_930_: u32;
-    var phi_931_: bool;
-    var phi_973_: f32;
-    var phi_1024_: u32;
-    var phi_1026_: u32;
-    var phi_1027_: bool;
-    var phi_1065_: u32;
-    var phi_1066_: u32;
-    var phi_1127_: u32;
-    var phi_1129_: u32;
-    var phi_1130_: bool;
-    var phi_1174_: f32;
-    var phi_1225_: u32;
-    var phi_1227_: u32;
-    var phi_1228_: bool;
-    var phi_1266_: u32;
-    var phi_1267_: u32;
-    var phi_1328_: u32;
-    var phi_1330_: u32;
-    var phi_1331_: bool;
-    var phi_1551_: type_41;
-    var phi_1552_: u32;
-    var phi_258_: type_41;
-    var phi_260_: u32;
-    var phi_1554_: bool;
-    var phi_7781_: bool;
-    var phi_1582_: type_31;
-    var phi_1604_: type_31;
+    var phi_602_: u32;
+    var phi_603_: bool;
+    var phi_625_: u32;
+    var phi_626_: u32;
+    var phi_661_: u32;
+    var phi_663_: u32;
+    var phi_664_: bool;
+    var phi_704_: u32;
+    var phi_705_: u32;
+    var phi_751_: f32;
+    var phi_784_: u32;
+    var phi_786_: u32;
+    var phi_787_: bool;
+    var phi_809_: u32;
+    var phi_810_: u32;
+    var phi_845_: u32;
+    var phi_847_: u32;
+    var phi_848_: bool;
+    var phi_888_: u32;
+    var phi_889_: u32;
+    var phi_935_: f32;
+    var phi_968_: u32;
+    var phi_970_: u32;
+    var phi_971_: bool;
+    var phi_993_: u32;
+    var phi_994_: u32;
+    var phi_1029_: u32;
+    var phi_1031_: u32;
+    var phi_1032_: bool;
+    var phi_1072_: u32;
+    var phi_1073_: u32;
+    var phi_1138_: u32;
+    var phi_1140_: u32;
+    var phi_1141_: bool;
+    var phi_1189_: f32;
+    var phi_1222_: u32;
+    var phi_1224_: u32;
+    var phi_1225_: bool;
+    var phi_1247_: u32;
+    var phi_1248_: u32;
+    var phi_1283_: u32;
+    var phi_1285_: u32;
+    var phi_1286_: bool;
+    var phi_1326_: u32;
+    var phi_1327_: u32;
+    var phi_1392_: u32;
+    var phi_1394_: u32;
+    var phi_1395_: bool;
+    var phi_1445_: f32;
+    var phi_1478_: u32;
+    var phi_1480_: u32;
+    var phi_1481_: bool;
+    var phi_1503_: u32;
+    var phi_1504_: u32;
+    var phi_1539_: u32;
+    var phi_1541_: u32;
+    var phi_1542_: bool;
+    var phi_1582_: u32;
+    var phi_1583_: u32;
+    var phi_1648_: u32;
+    var phi_1650_: u32;
+    var phi_1651_: bool;
+    var phi_1885_: type_41;
+    var phi_1886_: u32;
+    var phi_262_: type_41;
+    var phi_264_: u32;
+    var phi_1888_: bool;
+    var phi_9765_: bool;
+    var phi_1916_: type_31;
+    var phi_1938_: type_31;
     var local: type_41;
     var local_1: type_41;
-    var phi_1635_: f32;
-    var phi_1686_: u32;
-    var phi_1688_: u32;
-    var phi_1689_: bool;
-    var phi_1727_: u32;
-    var phi_1728_: u32;
-    var phi_1766_: f32;
-    var phi_1817_: u32;
-    var phi_1819_: u32;
-    var phi_1820_: bool;
-    var phi_1858_: u32;
-    var phi_1859_: u32;
-    var phi_1899_: f32;
-    var phi_1950_: u32;
-    var phi_1952_: u32;
-    var phi_1953_: bool;
-    var phi_1991_: u32;
-    var phi_1992_: u32;
-    var phi_2032_: f32;
-    var phi_2083_: u32;
-    var phi_2085_: u32;
-    var phi_2086_: bool;
-    var phi_2124_: u32;
-    var phi_2125_: u32;
-    var phi_2186_: u32;
+    var phi_1973_: f32;
+    var phi_2006_: u32;
+    var phi_2008_: u32;
+    var phi_2009_: bool;
+    var phi_2031_: u32;
+    var phi_2032_: u32;
+    var phi_2067_: u32;
+    var phi_2069_: u32;
+    var phi_2070_: bool;
+    var phi_2110_: u32;
+    var phi_2111_: u32;
+    var phi_2155_: f32;
     var phi_2188_: u32;
-    var phi_2189_: bool;
-    var phi_2231_: f32;
-    var phi_2282_: u32;
-    var phi_2284_: u32;
-    var phi_2285_: bool;
-    var phi_2323_: u32;
-    var phi_2324_: u32;
-    var phi_2385_: u32;
-    var phi_2387_: u32;
-    var phi_2388_: bool;
-    var phi_2432_: f32;
-    var phi_2483_: u32;
-    var phi_2485_: u32;
-    var phi_2486_: bool;
-    var phi_2524_: u32;
-    var phi_2525_: u32;
-    var phi_2586_: u32;
-    var phi_2588_: u32;
-    var phi_2589_: bool;
-    var phi_2642_: f32;
-    var phi_2693_: u32;
-    var phi_2695_: u32;
-    var phi_2696_: bool;
-    var phi_2734_: u32;
-    var phi_2735_: u32;
-    var phi_2773_: f32;
-    var phi_2824_: u32;
-    var phi_2826_: u32;
-    var phi_2827_: bool;
-    var phi_2865_: u32;
-    var phi_2866_: u32;
-    var phi_2906_: f32;
-    var phi_2957_: u32;
-    var phi_2959_: u32;
-    var phi_2960_: bool;
-    var phi_2998_: u32;
-    var phi_2999_: u32;
-    var phi_3039_: f32;
-    var phi_3090_: u32;
+    var phi_2190_: u32;
+    var phi_2191_: bool;
+    var phi_2213_: u32;
+    var phi_2214_: u32;
+    var phi_2249_: u32;
+    var phi_2251_: u32;
+    var phi_2252_: bool;
+    var phi_2292_: u32;
+    var phi_2293_: u32;
+    var phi_2339_: f32;
+    var phi_2372_: u32;
+    var phi_2374_: u32;
+    var phi_2375_: bool;
+    var phi_2397_: u32;
+    var phi_2398_: u32;
+    var phi_2433_: u32;
+    var phi_2435_: u32;
+    var phi_2436_: bool;
+    var phi_2476_: u32;
+    var phi_2477_: u32;
+    var phi_2523_: f32;
+    var phi_2556_: u32;
+    var phi_2558_: u32;
+    var phi_2559_: bool;
+    var phi_2581_: u32;
+    var phi_2582_: u32;
+    var phi_2617_: u32;
+    var phi_2619_: u32;
+    var phi_2620_: bool;
+    var phi_2660_: u32;
+    var phi_2661_: u32;
+    var phi_2726_: u32;
+    var phi_2728_: u32;
+    var phi_2729_: bool;
+    var phi_2777_: f32;
+    var phi_2810_: u32;
+    var phi_2812_: u32;
+    var phi_2813_: bool;
+    var phi_2835_: u32;
+    var phi_2836_: u32;
+    var phi_2871_: u32;
+    var phi_2873_: u32;
+    var phi_2874_: bool;
+    var phi_2914_: u32;
+    var phi_2915_: u32;
+    var phi_2980_: u32;
+    var phi_2982_: u32;
+    var phi_2983_: bool;
+    var phi_3033_: f32;
+    var phi_3066_: u32;
+    var phi_3068_: u32;
+    var phi_3069_: bool;
+    var phi_3091_: u32;
     var phi_3092_: u32;
-    var phi_3093_: bool;
-    var phi_3131_: u32;
-    var phi_3132_: u32;
-    var phi_3193_: u32;
-    var phi_3195_: u32;
-    var phi_3196_: bool;
-    var phi_3238_: f32;
-    var phi_3289_: u32;
-    var phi_3291_: u32;
-    var phi_3292_: bool;
-    var phi_3330_: u32;
+    var phi_3127_: u32;
+    var phi_3129_: u32;
+    var phi_3130_: bool;
+    var phi_3170_: u32;
+    var phi_3171_: u32;
+    var phi_3236_: u32;
+    var phi_3238_: u32;
+    var phi_3239_: bool;
+    var phi_3298_: f32;
     var phi_3331_: u32;
+    var phi_3333_: u32;
+    var phi_3334_: bool;
+    var phi_3356_: u32;
+    var phi_3357_: u32;
     var phi_3392_: u32;
     var phi_3394_: u32;
     var phi_3395_: bool;
-    var phi_3439_: f32;
-    var phi_3490_: u32;
-    var phi_3492_: u32;
-    var phi_3493_: bool;
-    var phi_3531_: u32;
-    var phi_3532_: u32;
-    var phi_3593_: u32;
-    var phi_3595_: u32;
-    var phi_3596_: bool;
-    var phi_4018_: type_4;
-    var phi_4019_: type_4;
-    var phi_4042_: type_4;
-    var phi_4081_: f32;
-    var phi_4132_: u32;
-    var phi_4134_: u32;
-    var phi_4135_: bool;
-    var phi_4173_: u32;
-    var phi_4174_: u32;
-    var phi_4208_: u32;
-    var phi_4277_: f32;
-    var phi_4328_: u32;
-    var phi_4330_: u32;
-    var phi_4331_: bool;
-    var phi_4369_: u32;
-    var phi_4370_: u32;
-    var phi_4404_: u32;
-    var phi_4475_: f32;
-    var phi_4526_: u32;
-    var phi_4528_: u32;
-    var phi_4529_: bool;
-    var phi_4567_: u32;
-    var phi_4568_: u32;
-    var phi_4602_: u32;
-    var phi_4679_: f32;
-    var phi_4730_: u32;
-    var phi_4732_: u32;
-    var phi_4733_: bool;
-    var phi_4771_: u32;
-    var phi_4772_: u32;
-    var phi_4806_: u32;
-    var phi_4875_: f32;
-    var phi_4926_: u32;
-    var phi_4928_: u32;
-    var phi_4929_: bool;
-    var phi_4967_: u32;
-    var phi_4968_: u32;
-    var phi_5002_: u32;
-    var phi_5073_: f32;
-    var phi_5124_: u32;
-    var phi_5126_: u32;
-    var phi_5127_: bool;
-    var phi_5165_: u32;
-    var phi_5166_: u32;
-    var phi_5200_: u32;
-    var phi_5277_: f32;
-    var phi_5328_: u32;
-    var phi_5330_: u32;
-    var phi_5331_: bool;
-    var phi_5369_: u32;
-    var phi_5370_: u32;
-    var phi_5404_: u32;
-    var phi_5473_: f32;
-    var phi_5524_: u32;
-    var phi_5526_: u32;
-    var phi_5527_: bool;
-    var phi_5565_: u32;
-    var phi_5566_: u32;
-    var phi_5600_: u32;
-    var phi_5671_: f32;
-    var phi_5722_: u32;
-    var phi_5724_: u32;
-    var phi_5725_: bool;
-    var phi_5763_: u32;
-    var phi_5764_: u32;
-    var phi_5798_: u32;
-    var phi_7927_: bool;
-    var phi_8380_: bool;
-    var phi_5889_: type_4;
-    var phi_5890_: type_4;
-    var phi_5913_: type_4;
-    var phi_5952_: f32;
-    var phi_6003_: u32;
-    var phi_6005_: u32;
-    var phi_6006_: bool;
-    var phi_6044_: u32;
-    var phi_6045_: u32;
-    var phi_6079_: u32;
-    var phi_6148_: f32;
-    var phi_6199_: u32;
-    var phi_6201_: u32;
-    var phi_6202_: bool;
-    var phi_6240_: u32;
-    var phi_6241_: u32;
-    var phi_6275_: u32;
+    var phi_3435_: u32;
+    var phi_3436_: u32;
+    var phi_3480_: f32;
+    var phi_3513_: u32;
+    var phi_3515_: u32;
+    var phi_3516_: bool;
+    var phi_3538_: u32;
+    var phi_3539_: u32;
+    var phi_3574_: u32;
+    var phi_3576_: u32;
+    var phi_3577_: bool;
+    var phi_3617_: u32;
+    var phi_3618_: u32;
+    var phi_3664_: f32;
+    var phi_3697_: u32;
+    var phi_3699_: u32;
+    var phi_3700_: bool;
+    var phi_3722_: u32;
+    var phi_3723_: u32;
+    var phi_3758_: u32;
+    var phi_3760_: u32;
+    var phi_3761_: bool;
+    var phi_3801_: u32;
+    var phi_3802_: u32;
+    var phi_3848_: f32;
+    var phi_3881_: u32;
+    var phi_3883_: u32;
+    var phi_3884_: bool;
+    var phi_3906_: u32;
+    var phi_3907_: u32;
+    var phi_3942_: u32;
+    var phi_3944_: u32;
+    var phi_3945_: bool;
+    var phi_3985_: u32;
+    var phi_3986_: u32;
+    var phi_4051_: u32;
+    var phi_4053_: u32;
+    var phi_4054_: bool;
+    var phi_4102_: f32;
+    var phi_4135_: u32;
+    var phi_4137_: u32;
+    var phi_4138_: bool;
+    var phi_4160_: u32;
+    var phi_4161_: u32;
+    var phi_4196_: u32;
+    var phi_4198_: u32;
+    var phi_4199_: bool;
+    var phi_4239_: u32;
+    var phi_4240_: u32;
+    var phi_4305_: u32;
+    var phi_4307_: u32;
+    var phi_4308_: bool;
+    var phi_4358_: f32;
+    var phi_4391_: u32;
+    var phi_4393_: u32;
+    var phi_4394_: bool;
+    var phi_4416_: u32;
+    var phi_4417_: u32;
+    var phi_4452_: u32;
+    var phi_4454_: u32;
+    var phi_4455_: bool;
+    var phi_4495_: u32;
+    var phi_4496_: u32;
+    var phi_4561_: u32;
+    var phi_4563_: u32;
+    var phi_4564_: bool;
+    var phi_5012_: type_4;
+    var phi_5013_: type_4;
+    var phi_5036_: type_4;
+    var phi_5079_: f32;
+    var phi_5112_: u32;
+    var phi_5114_: u32;
+    var phi_5115_: bool;
+    var phi_5137_: u32;
+    var phi_5138_: u32;
+    var phi_5173_: u32;
+    var phi_5175_: u32;
+    var phi_5176_: bool;
+    var phi_5216_: u32;
+    var phi_5217_: u32;
+    var phi_5253_: u32;
+    var phi_5330_: f32;
+    var phi_5363_: u32;
+    var phi_5365_: u32;
+    var phi_5366_: bool;
+    var phi_5388_: u32;
+    var phi_5389_: u32;
+    var phi_5424_: u32;
+    var phi_5426_: u32;
+    var phi_5427_: bool;
+    var phi_5467_: u32;
+    var phi_5468_: u32;
+    var phi_5504_: u32;
+    var phi_5583_: f32;
+    var phi_5616_: u32;
+    var phi_5618_: u32;
+    var phi_5619_: bool;
+    var phi_5641_: u32;
+    var phi_5642_: u32;
+    var phi_5677_: u32;
+    var phi_5679_: u32;
+    var phi_5680_: bool;
+    var phi_5720_: u32;
+    var phi_5721_: u32;
+    var phi_5757_: u32;
+    var phi_5842_: f32;
+    var phi_5875_: u32;
+    var phi_5877_: u32;
+    var phi_5878_: bool;
+    var phi_5900_: u32;
+    var phi_5901_: u32;
+    var phi_5936_: u32;
+    var phi_5938_: u32;
+    var phi_5939_: bool;
+    var phi_5979_: u32;
+    var phi_5980_: u32;
+    var phi_6016_: u32;
+    var phi_6093_: f32;
+    var phi_6126_: u32;
+    var phi_6128_: u32;
+    var phi_6129_: bool;
+    var phi_6151_: u32;
+    var phi_6152_: u32;
+    var phi_6187_: u32;
+    var phi_6189_: u32;
+    var phi_6190_: bool;
+    var phi_6230_: u32;
+    var phi_6231_: u32;
+    var phi_6267_: u32;
     var phi_6346_: f32;
-    var phi_6397_: u32;
-    var phi_6399_: u32;
-    var phi_6400_: bool;
-    var phi_6438_: u32;
-    var phi_6439_: u32;
-    var phi_6473_: u32;
-    var phi_6550_: f32;
-    var phi_6601_: u32;
-    var phi_6603_: u32;
-    var phi_6604_: bool;
-    var phi_6642_: u32;
-    var phi_6643_: u32;
-    var phi_6677_: u32;
-    var phi_6746_: f32;
-    var phi_6797_: u32;
-    var phi_6799_: u32;
-    var phi_6800_: bool;
-    var phi_6838_: u32;
-    var phi_6839_: u32;
-    var phi_6873_: u32;
-    var phi_6944_: f32;
-    var phi_6995_: u32;
-    var phi_6997_: u32;
-    var phi_6998_: bool;
-    var phi_7036_: u32;
-    var phi_7037_: u32;
-    var phi_7071_: u32;
-    var phi_7148_: f32;
-    var phi_7199_: u32;
-    var phi_7201_: u32;
-    var phi_7202_: bool;
-    var phi_7240_: u32;
-    var phi_7241_: u32;
-    var phi_7275_: u32;
-    var phi_7344_: f32;
-    var phi_7395_: u32;
-    var phi_7397_: u32;
-    var phi_7398_: bool;
-    var phi_7436_: u32;
-    var phi_7437_: u32;
-    var phi_7471_: u32;
-    var phi_7542_: f32;
-    var phi_7593_: u32;
-    var phi_7595_: u32;
-    var phi_7596_: bool;
-    var phi_7634_: u32;
-    var phi_7635_: u32;
-    var phi_7669_: u32;
-    var phi_8376_: bool;
+    var phi_6379_: u32;
+    var phi_6381_: u32;
+    var phi_6382_: bool;
+    var phi_6404_: u32;
+    var phi_6405_: u32;
+    var phi_6440_: u32;
+    var phi_6442_: u32;
+    var phi_6443_: bool;
+    var phi_6483_: u32;
+    var phi_6484_: u32;
+    var phi_6520_: u32;
+    var phi_6605_: f32;
+    var phi_6638_: u32;
+    var phi_6640_: u32;
+    var phi_6641_: bool;
+    var phi_6663_: u32;
+    var phi_6664_: u32;
+    var phi_6699_: u32;
+    var phi_6701_: u32;
+    var phi_6702_: bool;
+    var phi_6742_: u32;
+    var phi_6743_: u32;
+    var phi_6779_: u32;
+    var phi_6856_: f32;
+    var phi_6889_: u32;
+    var phi_6891_: u32;
+    var phi_6892_: bool;
+    var phi_6914_: u32;
+    var phi_6915_: u32;
+    var phi_6950_: u32;
+    var phi_6952_: u32;
+    var phi_6953_: bool;
+    var phi_6993_: u32;
+    var phi_6994_: u32;
+    var phi_7030_: u32;
+    var phi_7109_: f32;
+    var phi_7142_: u32;
+    var phi_7144_: u32;
+    var phi_7145_: bool;
+    var phi_7167_: u32;
+    var phi_7168_: u32;
+    var phi_7203_: u32;
+    var phi_7205_: u32;
+    var phi_7206_: bool;
+    var phi_7246_: u32;
+    var phi_7247_: u32;
+    var phi_7283_: u32;
+    var phi_9935_: bool;
+    var phi_10472_: bool;
+    var phi_7378_: type_4;
+    var phi_7379_: type_4;
+    var phi_7402_: type_4;
+    var phi_7445_: f32;
+    var phi_7478_: u32;
+    var phi_7480_: u32;
+    var phi_7481_: bool;
+    var phi_7503_: u32;
+    var phi_7504_: u32;
+    var phi_7539_: u32;
+    var phi_7541_: u32;
+    var phi_7542_: bool;
+    var phi_7582_: u32;
+    var phi_7583_: u32;
+    var phi_7619_: u32;
+    var phi_7696_: f32;
+    var phi_7729_: u32;
+    var phi_7731_: u32;
+    var phi_7732_: bool;
+    var phi_7754_: u32;
+    var phi_7755_: u32;
+    var phi_7790_: u32;
+    var phi_7792_: u32;
+    var phi_7793_: bool;
+    var phi_7833_: u32;
+    var phi_7834_: u32;
+    var phi_7870_: u32;
+    var phi_7949_: f32;
+    var phi_7982_: u32;
+    var phi_7984_: u32;
+    var phi_7985_: bool;
+    var phi_8007_: u32;
+    var phi_8008_: u32;
+    var phi_8043_: u32;
+    var phi_8045_: u32;
+    var phi_8046_: bool;
+    var phi_8086_: u32;
+    var phi_8087_: u32;
+    var phi_8123_: u32;
+    var phi_8208_: f32;
+    var phi_8241_: u32;
+    var phi_8243_: u32;
+    var phi_8244_: bool;
+    var phi_8266_: u32;
+    var phi_8267_: u32;
+    var phi_8302_: u32;
+    var phi_8304_: u32;
+    var phi_8305_: bool;
+    var phi_8345_: u32;
+    var phi_8346_: u32;
+    var phi_8382_: u32;
+    var phi_8459_: f32;
+    var phi_8492_: u32;
+    var phi_8494_: u32;
+    var phi_8495_: bool;
+    var phi_8517_: u32;
+    var phi_8518_: u32;
+    var phi_8553_: u32;
+    var phi_8555_: u32;
+    var phi_8556_: bool;
+    var phi_8596_: u32;
+    var phi_8597_: u32;
+    var phi_8633_: u32;
+    var phi_8712_: f32;
+    var phi_8745_: u32;
+    var phi_8747_: u32;
+    var phi_8748_: bool;
+    var phi_8770_: u32;
+    var phi_8771_: u32;
+    var phi_8806_: u32;
+    var phi_8808_: u32;
+    var phi_8809_: bool;
+    var phi_8849_: u32;
+    var phi_8850_: u32;
+    var phi_8886_: u32;
+    var phi_8971_: f32;
+    var phi_9004_: u32;
+    var phi_9006_: u32;
+    var phi_9007_: bool;
+    var phi_9029_: u32;
+    var phi_9030_: u32;
+    var phi_9065_: u32;
+    var phi_9067_: u32;
+    var phi_9068_: bool;
+    var phi_9108_: u32;
+    var phi_9109_: u32;
+    var phi_9145_: u32;
+    var phi_9222_: f32;
+    var phi_9255_: u32;
+    var phi_9257_: u32;
+    var phi_9258_: bool;
+    var phi_9280_: u32;
+    var phi_9281_: u32;
+    var phi_9316_: u32;
+    var phi_9318_: u32;
+    var phi_9319_: bool;
+    var phi_9359_: u32;
+    var phi_9360_: u32;
+    var phi_9396_: u32;
+    var phi_9475_: f32;
+    var phi_9508_: u32;
+    var phi_9510_: u32;
+    var phi_9511_: bool;
+    var phi_9533_: u32;
+    var phi_9534_: u32;
+    var phi_9569_: u32;
+    var phi_9571_: u32;
+    var phi_9572_: bool;
+    var phi_9612_: u32;
+    var phi_9613_: u32;
+    var phi_9649_: u32;
+    var phi_10468_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e47 = global;
-            let _e49 = arrayLength((&global_4.member));
-            let _e51 = arrayLength((&global_2.member));
-            let _e55 = arrayLength((&global_6.member));
-            let _e57 = arrayLength((&global_7.member));
-            let _e61 = (_e47.x + (_e47.y * 2097152u));
-            let _e64 = global_1.member[0u];
-            if (_e61 < _e64) {
-                let _e66 = (_e61 < _e49);
-                if _e66 {
-                    let _e67 = (_e61 < arrayLength((&global_5.member)));
-                    if _e67 {
-                        let _e70 = global_3.member[0u];
-                        let _e71 = (0u < _e49);
-                        if _e71 {
-                            if _e71 {
+            let _e51 = global;
+            let _e53 = arrayLength((&global_4.member));
+            let _e55 = arrayLength((&global_2.member));
+            let _e59 = arrayLength((&global_6.member));
+            let _e61 = arrayLength((&global_7.member));
+            let _e65 = (_e51.x + (_e51.y * 2097152u));
+            let _e68 = global_1.member[0u];
+            if (_e65 < _e68) {
+                let _e70 = (_e65 < _e53);
+                if _e70 {
+                    let _e71 = (_e65 < arrayLength((&global_5.member)));
+                    if _e71 {
+                        let _e74 = global_3.member[0u];
+                        let _e75 = (0u < _e53);
+                        if _e75 {
+                            if _e75 {
                             } else {
                                 break;
                             }
-                            let _e74 = global_4.member[0u];
-                            phi_166_ = _e74;
+                            let _e78 = global_4.member[0u];
+                            phi_170_ = _e78;
                         } else {
-                            phi_166_ = type_26(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u, 0u, 0u);
+                            phi_170_ = type_26(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u, 0u, 0u);
                         }
-                        let _e76 = phi_166_;
-                        if (_e76.member_1 == 2147483648u) {
-                            phi_184_ = type_31(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                        let _e80 = phi_170_;
+                        if (_e80.member_1 == 2147483648u) {
+                            phi_188_ = type_31(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                         } else {
-                            phi_184_ = type_31(vec3<f32>(_e76.member[0][0], _e76.member[1][0], _e76.member[2][0]), vec3<f32>(_e76.member[0][2], _e76.member[1][2], _e76.member[2][2]));
+                            phi_188_ = type_31(vec3<f32>(_e80.member[0][0], _e80.member[1][0], _e80.member[2][0]), vec3<f32>(_e80.member[0][2], _e80.member[1][2], _e80.member[2][2]));
                         }
-                        let _e95 = phi_184_;
-                        if (_e76.member_2 == 2147483648u) {
-                            phi_202_ = _e95;
+                        let _e99 = phi_188_;
+                        if (_e80.member_2 == 2147483648u) {
+                            phi_206_ = _e99;
                         } else {
-                            phi_202_ = type_31(vec3<f32>(_e76.member[0][1], _e76.member[1][1], _e76.member[2][1]), vec3<f32>(_e76.member[0][3], _e76.member[1][3], _e76.member[2][3]));
+                            phi_206_ = type_31(vec3<f32>(_e80.member[0][1], _e80.member[1][1], _e80.member[2][1]), vec3<f32>(_e80.member[0][3], _e80.member[1][3], _e80.member[2][3]));
                         }
-                        let _e114 = phi_202_;
-                        phi_254_ = type_4(0u, 128u);
-                        phi_257_ = type_41(array<f32, 3>(select(_e114.member.x, _e95.member.x, (_e95.member.x < _e114.member.x)), select(_e114.member.y, _e95.member.y, (_e95.member.y < _e114.member.y)), select(_e114.member.z, _e95.member.z, (_e95.member.z < _e114.member.z))), array<f32, 3>(select(_e114.member_1.x, _e95.member_1.x, (_e95.member_1.x > _e114.member_1.x)), select(_e114.member_1.y, _e95.member_1.y, (_e95.member_1.y > _e114.member_1.y)), select(_e114.member_1.z, _e95.member_1.z, (_e95.member_1.z > _e114.member_1.z))));
-                        phi_259_ = 0u;
+                        let _e118 = phi_206_;
+                        phi_258_ = type_4(0u, 128u);
+                        phi_261_ = type_41(array<f32, 3>(select(_e118.member.x, _e99.member.x, (_e99.member.x < _e118.member.x)), select(_e118.member.y, _e99.member.y, (_e99.member.y < _e118.member.y)), select(_e118.member.z, _e99.member.z, (_e99.member.z < _e118.member.z))), array<f32, 3>(select(_e118.member_1.x, _e99.member_1.x, (_e99.member_1.x > _e118.member_1.x)), select(_e118.member_1.y, _e99.member_1.y, (_e99.member_1.y > _e118.member_1.y)), select(_e118.member_1.z, _e99.member_1.z, (_e99.member_1.z > _e118.member_1.z))));
+                        phi_263_ = 0u;
                         loop {
-                            let _e147 = phi_254_;
-                            let _e149 = phi_257_;
-                            let _e151 = phi_259_;
-                            local = _e149;
-                            local_1 = _e149;
-                            if (_e147.member < _e147.member_1) {
-                                phi_255_ = type_4((_e147.member + 1u), _e147.member_1);
-                                phi_282_ = type_4(1u, _e147.member);
+                            let _e151 = phi_258_;
+                            let _e153 = phi_261_;
+                            let _e155 = phi_263_;
+                            local = _e153;
+                            local_1 = _e153;
+                            if (_e151.member < _e151.member_1) {
+                                phi_259_ = type_4((_e151.member + 1u), _e151.member_1);
+                                phi_286_ = type_4(1u, _e151.member);
                             } else {
-                                phi_255_ = _e147;
-                                phi_282_ = type_4(0u, type_4().member_1);
+                                phi_259_ = _e151;
+                                phi_286_ = type_4(0u, type_4().member_1);
                             }
-                            let _e164 = phi_255_;
-                            let _e166 = phi_282_;
-                            if (bitcast<i32>(_e166.member) != 0i) {
-                                let _e170 = (_e151 == _e61);
-                                if _e170 {
-                                    phi_1551_ = type_41();
-                                    phi_1552_ = u32();
+                            let _e168 = phi_259_;
+                            let _e170 = phi_286_;
+                            if (bitcast<i32>(_e170.member) != 0i) {
+                                let _e174 = (_e155 == _e65);
+                                if _e174 {
+                                    phi_1885_ = type_41();
+                                    phi_1886_ = u32();
                                 } else {
-                                    let _e171 = (_e151 < _e49);
-                                    if _e171 {
-                                        if _e171 {
+                                    let _e175 = (_e155 < _e53);
+                                    if _e175 {
+                                        if _e175 {
                                         } else {
-                                            phi_7781_ = true;
+                                            phi_9765_ = true;
                                             break;
                                         }
-                                        let _e174 = global_4.member[_e151];
-                                        phi_304_ = _e174;
+                                        let _e178 = global_4.member[_e155];
+                                        phi_308_ = _e178;
                                     } else {
-                                        phi_304_ = type_26(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u, 0u, 0u);
+                                        phi_308_ = type_26(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u, 0u, 0u);
                                     }
-                                    let _e176 = phi_304_;
-                                    if ((_e176.member_1 & 2147483648u) != 0u) {
-                                        phi_313_ = false;
+                                    let _e180 = phi_308_;
+                                    if ((_e180.member_1 & 2147483648u) != 0u) {
+                                        phi_317_ = false;
                                     } else {
-                                        phi_313_ = (_e61 <= _e176.member_1);
+                                        phi_317_ = (_e65 <= _e180.member_1);
                                     }
-                                    let _e183 = phi_313_;
-                                    if (_e176.member_1 == 2147483648u) {
-                                        phi_331_ = type_31(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                                    let _e187 = phi_317_;
+                                    if (_e180.member_1 == 2147483648u) {
+                                        phi_335_ = type_31(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                                     } else {
-                                        phi_331_ = type_31(vec3<f32>(_e176.member[0][0], _e176.member[1][0], _e176.member[2][0]), vec3<f32>(_e176.member[0][2], _e176.member[1][2], _e176.member[2][2]));
+                                        phi_335_ = type_31(vec3<f32>(_e180.member[0][0], _e180.member[1][0], _e180.member[2][0]), vec3<f32>(_e180.member[0][2], _e180.member[1][2], _e180.member[2][2]));
                                     }
-                                    let _e201 = phi_331_;
-                                    if (_e176.member_2 == 2147483648u) {
-                                        phi_349_ = _e201;
+                                    let _e205 = phi_335_;
+                                    if (_e180.member_2 == 2147483648u) {
+                                        phi_353_ = _e205;
                                     } else {
-                                        phi_349_ = type_31(vec3<f32>(_e176.member[0][1], _e176.member[1][1], _e176.member[2][1]), vec3<f32>(_e176.member[0][3], _e176.member[1][3], _e176.member[2][3]));
+                                        phi_353_ = type_31(vec3<f32>(_e180.member[0][1], _e180.member[1][1], _e180.member[2][1]), vec3<f32>(_e180.member[0][3], _e180.member[1][3], _e180.member[2][3]));
                                     }
-                                    let _e219 = phi_349_;
-                                    if _e183 {
-                                        phi_353_ = _e201;
+                                    let _e223 = phi_353_;
+                                    if _e187 {
+                                        phi_357_ = _e205;
                                     } else {
-                                        phi_353_ = _e219;
+                                        phi_357_ = _e223;
                                     }
-                                    let _e221 = phi_353_;
-                                    let _e242 = (_e149.member_1[0] - _e149.member[0]);
-                                    let _e243 = (_e242 > 0f);
-                                    if _e243 {
-                                        phi_377_ = (((_e221.member.x - _e149.member[0]) / _e242) * 1023f);
+                                    let _e225 = phi_357_;
+                                    let _e246 = (_e225.member.x - _e153.member[0]);
+                                    let _e251 = bitcast<f32>((bitcast<u32>(((_e153.member_1[0] - _e153.member[0]) * 0.0009775171f)) ^ _e74));
+                                    let _e252 = (_e251 > 0f);
+                                    if _e252 {
+                                        phi_385_ = (_e246 / _e251);
                                     } else {
-                                        phi_377_ = 0f;
+                                        phi_385_ = 0f;
                                     }
-                                    let _e248 = phi_377_;
-                                    let _e250 = select(1023f, _e248, (_e248 < 1023f));
-                                    let _e252 = select(0f, _e250, (_e250 > 0f));
-                                    let _e257 = select(select(u32(_e252), 0u, (_e252 < 0f)), 4294967295u, (_e252 > 4294967000f));
-                                    if (_e257 > 0u) {
-                                        let _e268 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e257) * bitcast<f32>((bitcast<u32>((_e242 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                        let _e273 = (select(select(_e149.member_1[0], _e268, (_e268 < _e149.member_1[0])), _e149.member_1[0], (_e257 == 1023u)) > _e221.member.x);
-                                        if _e273 {
-                                            phi_428_ = (_e257 - 1u);
+                                    let _e255 = phi_385_;
+                                    let _e257 = select(1023f, _e255, (_e255 < 1023f));
+                                    let _e265 = bitcast<u32>(select(0i, select(select(i32(_e257), i32(-2147483648), (_e257 < -2147483600f)), 2147483647i, (_e257 > 2147483500f)), (_e257 == _e257)));
+                                    if (_e265 > 0u) {
+                                        let _e274 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e265)) - 8388608f) * _e251)) ^ _e74)) > _e246);
+                                        if _e274 {
+                                            phi_418_ = (_e265 - 1u);
                                         } else {
-                                            phi_428_ = u32();
+                                            phi_418_ = u32();
                                         }
-                                        let _e276 = phi_428_;
-                                        phi_430_ = _e276;
-                                        phi_431_ = select(true, false, _e273);
+                                        let _e277 = phi_418_;
+                                        phi_420_ = _e277;
+                                        phi_421_ = select(true, false, _e274);
                                     } else {
-                                        phi_430_ = u32();
-                                        phi_431_ = true;
+                                        phi_420_ = u32();
+                                        phi_421_ = true;
                                     }
-                                    let _e279 = phi_430_;
-                                    let _e281 = phi_431_;
-                                    if _e281 {
-                                        if (_e257 < 1023u) {
-                                            let _e283 = (_e257 + 1u);
-                                            let _e293 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e283) * bitcast<f32>((bitcast<u32>((_e242 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                            phi_469_ = select(_e257, _e283, (select(select(_e149.member_1[0], _e293, (_e293 < _e149.member_1[0])), _e149.member_1[0], (_e283 == 1023u)) <= _e221.member.x));
+                                    let _e280 = phi_420_;
+                                    let _e282 = phi_421_;
+                                    if _e282 {
+                                        if (_e265 < 1023u) {
+                                            let _e284 = (_e265 + 1u);
+                                            phi_443_ = select(_e265, _e284, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e284)) - 8388608f) * _e251)) ^ _e74)) <= _e246));
                                         } else {
-                                            phi_469_ = _e257;
+                                            phi_443_ = _e265;
                                         }
-                                        let _e301 = phi_469_;
-                                        phi_470_ = _e301;
+                                        let _e295 = phi_443_;
+                                        phi_444_ = _e295;
                                     } else {
-                                        phi_470_ = _e279;
+                                        phi_444_ = _e280;
                                     }
-                                    let _e303 = phi_470_;
-                                    let _e307 = bitcast<f32>((bitcast<u32>((_e242 * 0.0009775171f)) ^ _e70));
-                                    let _e313 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e303) * _e307)) ^ _e70)));
-                                    let _e320 = (_e149.member_1[1] - _e149.member[1]);
-                                    let _e321 = (_e320 > 0f);
-                                    if _e321 {
-                                        phi_508_ = (((_e221.member.y - _e149.member[1]) / _e320) * 1023f);
-                                    } else {
-                                        phi_508_ = 0f;
-                                    }
-                                    let _e326 = phi_508_;
-                                    let _e328 = select(1023f, _e326, (_e326 < 1023f));
-                                    let _e330 = select(0f, _e328, (_e328 > 0f));
-                                    let _e335 = select(select(u32(_e330), 0u, (_e330 < 0f)), 4294967295u, (_e330 > 4294967000f));
-                                    if (_e335 > 0u) {
-                                        let _e346 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e335) * bitcast<f32>((bitcast<u32>((_e320 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                        let _e351 = (select(select(_e149.member_1[1], _e346, (_e346 < _e149.member_1[1])), _e149.member_1[1], (_e335 == 1023u)) > _e221.member.y);
-                                        if _e351 {
-                                            phi_559_ = (_e335 - 1u);
+                                    let _e297 = phi_444_;
+                                    if (_e297 > 0u) {
+                                        let _e306 = (_e153.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e297)) - 8388608f) * _e251)) ^ _e74)));
+                                        let _e311 = (select(select(_e153.member_1[0], _e306, (_e306 < _e153.member_1[0])), _e153.member_1[0], (_e297 == 1023u)) > _e225.member.x);
+                                        if _e311 {
+                                            phi_479_ = (_e297 - 1u);
                                         } else {
-                                            phi_559_ = u32();
+                                            phi_479_ = u32();
                                         }
-                                        let _e354 = phi_559_;
-                                        phi_561_ = _e354;
-                                        phi_562_ = select(true, false, _e351);
+                                        let _e314 = phi_479_;
+                                        phi_481_ = _e314;
+                                        phi_482_ = select(true, false, _e311);
                                     } else {
-                                        phi_561_ = u32();
-                                        phi_562_ = true;
+                                        phi_481_ = u32();
+                                        phi_482_ = true;
                                     }
-                                    let _e357 = phi_561_;
-                                    let _e359 = phi_562_;
-                                    if _e359 {
-                                        if (_e335 < 1023u) {
-                                            let _e361 = (_e335 + 1u);
-                                            let _e371 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e361) * bitcast<f32>((bitcast<u32>((_e320 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                            phi_600_ = select(_e335, _e361, (select(select(_e149.member_1[1], _e371, (_e371 < _e149.member_1[1])), _e149.member_1[1], (_e361 == 1023u)) <= _e221.member.y));
+                                    let _e317 = phi_481_;
+                                    let _e319 = phi_482_;
+                                    if _e319 {
+                                        if (_e297 < 1023u) {
+                                            let _e321 = (_e297 + 1u);
+                                            let _e329 = (_e153.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e321)) - 8388608f) * _e251)) ^ _e74)));
+                                            phi_522_ = select(_e297, _e321, (select(select(_e153.member_1[0], _e329, (_e329 < _e153.member_1[0])), _e153.member_1[0], (_e321 == 1023u)) <= _e225.member.x));
                                         } else {
-                                            phi_600_ = _e335;
+                                            phi_522_ = _e297;
                                         }
-                                        let _e379 = phi_600_;
-                                        phi_601_ = _e379;
+                                        let _e337 = phi_522_;
+                                        phi_523_ = _e337;
                                     } else {
-                                        phi_601_ = _e357;
+                                        phi_523_ = _e317;
                                     }
-                                    let _e381 = phi_601_;
-                                    let _e385 = bitcast<f32>((bitcast<u32>((_e320 * 0.0009775171f)) ^ _e70));
-                                    let _e391 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e381) * _e385)) ^ _e70)));
-                                    let _e401 = (_e149.member_1[2] - _e149.member[2]);
-                                    let _e402 = (_e401 > 0f);
-                                    if _e402 {
-                                        phi_641_ = (((_e221.member.z - _e149.member[2]) / _e401) * 1023f);
+                                    let _e339 = phi_523_;
+                                    let _e347 = (_e153.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e339)) - 8388608f) * _e251)) ^ _e74)));
+                                    let _e354 = (_e225.member.y - _e153.member[1]);
+                                    let _e359 = bitcast<f32>((bitcast<u32>(((_e153.member_1[1] - _e153.member[1]) * 0.0009775171f)) ^ _e74));
+                                    let _e360 = (_e359 > 0f);
+                                    if _e360 {
+                                        phi_567_ = (_e354 / _e359);
                                     } else {
-                                        phi_641_ = 0f;
+                                        phi_567_ = 0f;
                                     }
-                                    let _e407 = phi_641_;
-                                    let _e409 = select(1023f, _e407, (_e407 < 1023f));
-                                    let _e411 = select(0f, _e409, (_e409 > 0f));
-                                    let _e416 = select(select(u32(_e411), 0u, (_e411 < 0f)), 4294967295u, (_e411 > 4294967000f));
-                                    if (_e416 > 0u) {
-                                        let _e427 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e416) * bitcast<f32>((bitcast<u32>((_e401 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                        let _e432 = (select(select(_e149.member_1[2], _e427, (_e427 < _e149.member_1[2])), _e149.member_1[2], (_e416 == 1023u)) > _e221.member.z);
-                                        if _e432 {
-                                            phi_692_ = (_e416 - 1u);
+                                    let _e363 = phi_567_;
+                                    let _e365 = select(1023f, _e363, (_e363 < 1023f));
+                                    let _e373 = bitcast<u32>(select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < -2147483600f)), 2147483647i, (_e365 > 2147483500f)), (_e365 == _e365)));
+                                    if (_e373 > 0u) {
+                                        let _e382 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e373)) - 8388608f) * _e359)) ^ _e74)) > _e354);
+                                        if _e382 {
+                                            phi_600_ = (_e373 - 1u);
                                         } else {
-                                            phi_692_ = u32();
+                                            phi_600_ = u32();
                                         }
-                                        let _e435 = phi_692_;
-                                        phi_694_ = _e435;
-                                        phi_695_ = select(true, false, _e432);
+                                        let _e385 = phi_600_;
+                                        phi_602_ = _e385;
+                                        phi_603_ = select(true, false, _e382);
                                     } else {
-                                        phi_694_ = u32();
-                                        phi_695_ = true;
+                                        phi_602_ = u32();
+                                        phi_603_ = true;
                                     }
-                                    let _e438 = phi_694_;
-                                    let _e440 = phi_695_;
-                                    if _e440 {
-                                        if (_e416 < 1023u) {
-                                            let _e442 = (_e416 + 1u);
-                                            let _e452 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e442) * bitcast<f32>((bitcast<u32>((_e401 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                            phi_733_ = select(_e416, _e442, (select(select(_e149.member_1[2], _e452, (_e452 < _e149.member_1[2])), _e149.member_1[2], (_e442 == 1023u)) <= _e221.member.z));
+                                    let _e388 = phi_602_;
+                                    let _e390 = phi_603_;
+                                    if _e390 {
+                                        if (_e373 < 1023u) {
+                                            let _e392 = (_e373 + 1u);
+                                            phi_625_ = select(_e373, _e392, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e392)) - 8388608f) * _e359)) ^ _e74)) <= _e354));
                                         } else {
-                                            phi_733_ = _e416;
+                                            phi_625_ = _e373;
                                         }
-                                        let _e460 = phi_733_;
-                                        phi_734_ = _e460;
+                                        let _e403 = phi_625_;
+                                        phi_626_ = _e403;
                                     } else {
-                                        phi_734_ = _e438;
+                                        phi_626_ = _e388;
                                     }
-                                    let _e462 = phi_734_;
-                                    let _e466 = bitcast<f32>((bitcast<u32>((_e401 * 0.0009775171f)) ^ _e70));
-                                    let _e472 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e462) * _e466)) ^ _e70)));
-                                    let _e481 = ((select(_e303, 0u, (select(select(_e149.member_1[0], _e313, (_e313 < _e149.member_1[0])), _e149.member_1[0], (_e303 == 1023u)) > _e221.member.x)) | (select(_e381, 0u, (select(select(_e149.member_1[1], _e391, (_e391 < _e149.member_1[1])), _e149.member_1[1], (_e381 == 1023u)) > _e221.member.y)) << bitcast<u32>(10i))) | (select(_e462, 0u, (select(select(_e149.member_1[2], _e472, (_e472 < _e149.member_1[2])), _e149.member_1[2], (_e462 == 1023u)) > _e221.member.z)) << bitcast<u32>(20i)));
-                                    if _e243 {
-                                        phi_774_ = (((_e221.member_1.x - _e149.member[0]) / _e242) * 1023f);
-                                    } else {
-                                        phi_774_ = 0f;
-                                    }
-                                    let _e486 = phi_774_;
-                                    let _e488 = select(1023f, _e486, (_e486 < 1023f));
-                                    let _e490 = select(0f, _e488, (_e488 > 0f));
-                                    let _e495 = select(select(u32(_e490), 0u, (_e490 < 0f)), 4294967295u, (_e490 > 4294967000f));
-                                    if (_e495 > 0u) {
-                                        let _e502 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e495) * _e307)) ^ _e70)));
-                                        let _e507 = (select(select(_e149.member_1[0], _e502, (_e502 < _e149.member_1[0])), _e149.member_1[0], (_e495 == 1023u)) > _e221.member_1.x);
-                                        if _e507 {
-                                            phi_825_ = (_e495 - 1u);
+                                    let _e405 = phi_626_;
+                                    if (_e405 > 0u) {
+                                        let _e414 = (_e153.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e405)) - 8388608f) * _e359)) ^ _e74)));
+                                        let _e419 = (select(select(_e153.member_1[1], _e414, (_e414 < _e153.member_1[1])), _e153.member_1[1], (_e405 == 1023u)) > _e225.member.y);
+                                        if _e419 {
+                                            phi_661_ = (_e405 - 1u);
                                         } else {
-                                            phi_825_ = u32();
+                                            phi_661_ = u32();
                                         }
-                                        let _e510 = phi_825_;
-                                        phi_827_ = _e510;
-                                        phi_828_ = select(true, false, _e507);
+                                        let _e422 = phi_661_;
+                                        phi_663_ = _e422;
+                                        phi_664_ = select(true, false, _e419);
                                     } else {
-                                        phi_827_ = u32();
-                                        phi_828_ = true;
+                                        phi_663_ = u32();
+                                        phi_664_ = true;
                                     }
-                                    let _e513 = phi_827_;
-                                    let _e515 = phi_828_;
-                                    if _e515 {
-                                        if (_e495 < 1023u) {
-                                            let _e517 = (_e495 + 1u);
-                                            let _e523 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e517) * _e307)) ^ _e70)));
-                                            phi_866_ = select(_e495, _e517, (select(select(_e149.member_1[0], _e523, (_e523 < _e149.member_1[0])), _e149.member_1[0], (_e517 == 1023u)) <= _e221.member_1.x));
+                                    let _e425 = phi_663_;
+                                    let _e427 = phi_664_;
+                                    if _e427 {
+                                        if (_e405 < 1023u) {
+                                            let _e429 = (_e405 + 1u);
+                                            let _e437 = (_e153.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e429)) - 8388608f) * _e359)) ^ _e74)));
+                                            phi_704_ = select(_e405, _e429, (select(select(_e153.member_1[1], _e437, (_e437 < _e153.member_1[1])), _e153.member_1[1], (_e429 == 1023u)) <= _e225.member.y));
                                         } else {
-                                            phi_866_ = _e495;
+                                            phi_704_ = _e405;
                                         }
-                                        let _e531 = phi_866_;
-                                        phi_867_ = _e531;
+                                        let _e445 = phi_704_;
+                                        phi_705_ = _e445;
                                     } else {
-                                        phi_867_ = _e513;
+                                        phi_705_ = _e425;
                                     }
-                                    let _e533 = phi_867_;
-                                    let _e539 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e533) * _e307)) ^ _e70)));
-                                    let _e545 = select(_e533, 0u, (select(select(_e149.member_1[0], _e539, (_e539 < _e149.member_1[0])), _e149.member_1[0], (_e533 == 1023u)) > _e221.member_1.x));
-                                    if (_e545 < 1023u) {
-                                        let _e552 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e545) * _e307)) ^ _e70)));
-                                        let _e557 = (select(select(_e149.member_1[0], _e552, (_e552 < _e149.member_1[0])), _e149.member_1[0], (_e545 == 1023u)) < _e221.member_1.x);
-                                        if _e557 {
-                                            phi_928_ = (_e545 + 1u);
+                                    let _e447 = phi_705_;
+                                    let _e455 = (_e153.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e447)) - 8388608f) * _e359)) ^ _e74)));
+                                    let _e465 = (_e225.member.z - _e153.member[2]);
+                                    let _e470 = bitcast<f32>((bitcast<u32>(((_e153.member_1[2] - _e153.member[2]) * 0.0009775171f)) ^ _e74));
+                                    let _e471 = (_e470 > 0f);
+                                    if _e471 {
+                                        phi_751_ = (_e465 / _e470);
+                                    } else {
+                                        phi_751_ = 0f;
+                                    }
+                                    let _e474 = phi_751_;
+                                    let _e476 = select(1023f, _e474, (_e474 < 1023f));
+                                    let _e484 = bitcast<u32>(select(0i, select(select(i32(_e476), i32(-2147483648), (_e476 < -2147483600f)), 2147483647i, (_e476 > 2147483500f)), (_e476 == _e476)));
+                                    if (_e484 > 0u) {
+                                        let _e493 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e484)) - 8388608f) * _e470)) ^ _e74)) > _e465);
+                                        if _e493 {
+                                            phi_784_ = (_e484 - 1u);
                                         } else {
-                                            phi_928_ = u32();
+                                            phi_784_ = u32();
                                         }
-                                        let _e560 = phi_928_;
-                                        phi_930_ = _e560;
-                                        phi_931_ = select(true, false, _e557);
+                                        let _e496 = phi_784_;
+                                        phi_786_ = _e496;
+                                        phi_787_ = select(true, false, _e493);
                                     } else {
-                                        phi_930_ = u32();
-                                        phi_931_ = true;
+                                        phi_786_ = u32();
+                                        phi_787_ = true;
                                     }
-                                    let _e563 = phi_930_;
-                                    let _e565 = phi_931_;
-                                    let _e566 = select(_e563, _e545, _e565);
-                                    let _e572 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e566) * _e307)) ^ _e70)));
-                                    if _e321 {
-                                        phi_973_ = (((_e221.member_1.y - _e149.member[1]) / _e320) * 1023f);
-                                    } else {
-                                        phi_973_ = 0f;
-                                    }
-                                    let _e583 = phi_973_;
-                                    let _e585 = select(1023f, _e583, (_e583 < 1023f));
-                                    let _e587 = select(0f, _e585, (_e585 > 0f));
-                                    let _e592 = select(select(u32(_e587), 0u, (_e587 < 0f)), 4294967295u, (_e587 > 4294967000f));
-                                    if (_e592 > 0u) {
-                                        let _e599 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e592) * _e385)) ^ _e70)));
-                                        let _e604 = (select(select(_e149.member_1[1], _e599, (_e599 < _e149.member_1[1])), _e149.member_1[1], (_e592 == 1023u)) > _e221.member_1.y);
-                                        if _e604 {
-                                            phi_1024_ = (_e592 - 1u);
+                                    let _e499 = phi_786_;
+                                    let _e501 = phi_787_;
+                                    if _e501 {
+                                        if (_e484 < 1023u) {
+                                            let _e503 = (_e484 + 1u);
+                                            phi_809_ = select(_e484, _e503, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e503)) - 8388608f) * _e470)) ^ _e74)) <= _e465));
                                         } else {
-                                            phi_1024_ = u32();
+                                            phi_809_ = _e484;
                                         }
-                                        let _e607 = phi_1024_;
-                                        phi_1026_ = _e607;
-                                        phi_1027_ = select(true, false, _e604);
+                                        let _e514 = phi_809_;
+                                        phi_810_ = _e514;
                                     } else {
-                                        phi_1026_ = u32();
-                                        phi_1027_ = true;
+                                        phi_810_ = _e499;
                                     }
-                                    let _e610 = phi_1026_;
-                                    let _e612 = phi_1027_;
-                                    if _e612 {
-                                        if (_e592 < 1023u) {
-                                            let _e614 = (_e592 + 1u);
-                                            let _e620 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e614) * _e385)) ^ _e70)));
-                                            phi_1065_ = select(_e592, _e614, (select(select(_e149.member_1[1], _e620, (_e620 < _e149.member_1[1])), _e149.member_1[1], (_e614 == 1023u)) <= _e221.member_1.y));
+                                    let _e516 = phi_810_;
+                                    if (_e516 > 0u) {
+                                        let _e525 = (_e153.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e516)) - 8388608f) * _e470)) ^ _e74)));
+                                        let _e530 = (select(select(_e153.member_1[2], _e525, (_e525 < _e153.member_1[2])), _e153.member_1[2], (_e516 == 1023u)) > _e225.member.z);
+                                        if _e530 {
+                                            phi_845_ = (_e516 - 1u);
                                         } else {
-                                            phi_1065_ = _e592;
+                                            phi_845_ = u32();
                                         }
-                                        let _e628 = phi_1065_;
-                                        phi_1066_ = _e628;
+                                        let _e533 = phi_845_;
+                                        phi_847_ = _e533;
+                                        phi_848_ = select(true, false, _e530);
                                     } else {
-                                        phi_1066_ = _e610;
+                                        phi_847_ = u32();
+                                        phi_848_ = true;
                                     }
-                                    let _e630 = phi_1066_;
-                                    let _e636 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e630) * _e385)) ^ _e70)));
-                                    let _e642 = select(_e630, 0u, (select(select(_e149.member_1[1], _e636, (_e636 < _e149.member_1[1])), _e149.member_1[1], (_e630 == 1023u)) > _e221.member_1.y));
-                                    if (_e642 < 1023u) {
-                                        let _e649 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e642) * _e385)) ^ _e70)));
-                                        let _e654 = (select(select(_e149.member_1[1], _e649, (_e649 < _e149.member_1[1])), _e149.member_1[1], (_e642 == 1023u)) < _e221.member_1.y);
-                                        if _e654 {
-                                            phi_1127_ = (_e642 + 1u);
+                                    let _e536 = phi_847_;
+                                    let _e538 = phi_848_;
+                                    if _e538 {
+                                        if (_e516 < 1023u) {
+                                            let _e540 = (_e516 + 1u);
+                                            let _e548 = (_e153.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e540)) - 8388608f) * _e470)) ^ _e74)));
+                                            phi_888_ = select(_e516, _e540, (select(select(_e153.member_1[2], _e548, (_e548 < _e153.member_1[2])), _e153.member_1[2], (_e540 == 1023u)) <= _e225.member.z));
                                         } else {
-                                            phi_1127_ = u32();
+                                            phi_888_ = _e516;
                                         }
-                                        let _e657 = phi_1127_;
-                                        phi_1129_ = _e657;
-                                        phi_1130_ = select(true, false, _e654);
+                                        let _e556 = phi_888_;
+                                        phi_889_ = _e556;
                                     } else {
-                                        phi_1129_ = u32();
-                                        phi_1130_ = true;
+                                        phi_889_ = _e536;
                                     }
-                                    let _e660 = phi_1129_;
-                                    let _e662 = phi_1130_;
-                                    let _e663 = select(_e660, _e642, _e662);
-                                    let _e669 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e663) * _e385)) ^ _e70)));
-                                    if _e402 {
-                                        phi_1174_ = (((_e221.member_1.z - _e149.member[2]) / _e401) * 1023f);
+                                    let _e558 = phi_889_;
+                                    let _e566 = (_e153.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e558)) - 8388608f) * _e470)) ^ _e74)));
+                                    let _e575 = ((select(_e339, 0u, (select(select(_e153.member_1[0], _e347, (_e347 < _e153.member_1[0])), _e153.member_1[0], (_e339 == 1023u)) > _e225.member.x)) | (select(_e447, 0u, (select(select(_e153.member_1[1], _e455, (_e455 < _e153.member_1[1])), _e153.member_1[1], (_e447 == 1023u)) > _e225.member.y)) << bitcast<u32>(10i))) | (select(_e558, 0u, (select(select(_e153.member_1[2], _e566, (_e566 < _e153.member_1[2])), _e153.member_1[2], (_e558 == 1023u)) > _e225.member.z)) << bitcast<u32>(20i)));
+                                    let _e576 = (_e225.member_1.x - _e153.member[0]);
+                                    if _e252 {
+                                        phi_935_ = (_e576 / _e251);
                                     } else {
-                                        phi_1174_ = 0f;
+                                        phi_935_ = 0f;
                                     }
-                                    let _e683 = phi_1174_;
-                                    let _e685 = select(1023f, _e683, (_e683 < 1023f));
-                                    let _e687 = select(0f, _e685, (_e685 > 0f));
-                                    let _e692 = select(select(u32(_e687), 0u, (_e687 < 0f)), 4294967295u, (_e687 > 4294967000f));
-                                    if (_e692 > 0u) {
-                                        let _e699 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e692) * _e466)) ^ _e70)));
-                                        let _e704 = (select(select(_e149.member_1[2], _e699, (_e699 < _e149.member_1[2])), _e149.member_1[2], (_e692 == 1023u)) > _e221.member_1.z);
-                                        if _e704 {
-                                            phi_1225_ = (_e692 - 1u);
+                                    let _e579 = phi_935_;
+                                    let _e581 = select(1023f, _e579, (_e579 < 1023f));
+                                    let _e589 = bitcast<u32>(select(0i, select(select(i32(_e581), i32(-2147483648), (_e581 < -2147483600f)), 2147483647i, (_e581 > 2147483500f)), (_e581 == _e581)));
+                                    if (_e589 > 0u) {
+                                        let _e598 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e589)) - 8388608f) * _e251)) ^ _e74)) > _e576);
+                                        if _e598 {
+                                            phi_968_ = (_e589 - 1u);
                                         } else {
-                                            phi_1225_ = u32();
+                                            phi_968_ = u32();
                                         }
-                                        let _e707 = phi_1225_;
-                                        phi_1227_ = _e707;
-                                        phi_1228_ = select(true, false, _e704);
+                                        let _e601 = phi_968_;
+                                        phi_970_ = _e601;
+                                        phi_971_ = select(true, false, _e598);
                                     } else {
-                                        phi_1227_ = u32();
-                                        phi_1228_ = true;
+                                        phi_970_ = u32();
+                                        phi_971_ = true;
                                     }
-                                    let _e710 = phi_1227_;
-                                    let _e712 = phi_1228_;
-                                    if _e712 {
-                                        if (_e692 < 1023u) {
-                                            let _e714 = (_e692 + 1u);
-                                            let _e720 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e714) * _e466)) ^ _e70)));
-                                            phi_1266_ = select(_e692, _e714, (select(select(_e149.member_1[2], _e720, (_e720 < _e149.member_1[2])), _e149.member_1[2], (_e714 == 1023u)) <= _e221.member_1.z));
+                                    let _e604 = phi_970_;
+                                    let _e606 = phi_971_;
+                                    if _e606 {
+                                        if (_e589 < 1023u) {
+                                            let _e608 = (_e589 + 1u);
+                                            phi_993_ = select(_e589, _e608, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e608)) - 8388608f) * _e251)) ^ _e74)) <= _e576));
                                         } else {
-                                            phi_1266_ = _e692;
+                                            phi_993_ = _e589;
                                         }
-                                        let _e728 = phi_1266_;
-                                        phi_1267_ = _e728;
+                                        let _e619 = phi_993_;
+                                        phi_994_ = _e619;
                                     } else {
-                                        phi_1267_ = _e710;
+                                        phi_994_ = _e604;
                                     }
-                                    let _e730 = phi_1267_;
-                                    let _e736 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e730) * _e466)) ^ _e70)));
-                                    let _e742 = select(_e730, 0u, (select(select(_e149.member_1[2], _e736, (_e736 < _e149.member_1[2])), _e149.member_1[2], (_e730 == 1023u)) > _e221.member_1.z));
-                                    if (_e742 < 1023u) {
-                                        let _e749 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e742) * _e466)) ^ _e70)));
-                                        let _e754 = (select(select(_e149.member_1[2], _e749, (_e749 < _e149.member_1[2])), _e149.member_1[2], (_e742 == 1023u)) < _e221.member_1.z);
-                                        if _e754 {
-                                            phi_1328_ = (_e742 + 1u);
+                                    let _e621 = phi_994_;
+                                    if (_e621 > 0u) {
+                                        let _e630 = (_e153.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e621)) - 8388608f) * _e251)) ^ _e74)));
+                                        let _e635 = (select(select(_e153.member_1[0], _e630, (_e630 < _e153.member_1[0])), _e153.member_1[0], (_e621 == 1023u)) > _e225.member_1.x);
+                                        if _e635 {
+                                            phi_1029_ = (_e621 - 1u);
                                         } else {
-                                            phi_1328_ = u32();
+                                            phi_1029_ = u32();
                                         }
-                                        let _e757 = phi_1328_;
-                                        phi_1330_ = _e757;
-                                        phi_1331_ = select(true, false, _e754);
+                                        let _e638 = phi_1029_;
+                                        phi_1031_ = _e638;
+                                        phi_1032_ = select(true, false, _e635);
                                     } else {
-                                        phi_1330_ = u32();
-                                        phi_1331_ = true;
+                                        phi_1031_ = u32();
+                                        phi_1032_ = true;
                                     }
-                                    let _e760 = phi_1330_;
-                                    let _e762 = phi_1331_;
-                                    let _e763 = select(_e760, _e742, _e762);
-                                    let _e769 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e763) * _e466)) ^ _e70)));
-                                    let _e778 = ((select(_e566, 1023u, (select(select(_e149.member_1[0], _e572, (_e572 < _e149.member_1[0])), _e149.member_1[0], (_e566 == 1023u)) < _e221.member_1.x)) | (select(_e663, 1023u, (select(select(_e149.member_1[1], _e669, (_e669 < _e149.member_1[1])), _e149.member_1[1], (_e663 == 1023u)) < _e221.member_1.y)) << bitcast<u32>(10i))) | (select(_e763, 1023u, (select(select(_e149.member_1[2], _e769, (_e769 < _e149.member_1[2])), _e149.member_1[2], (_e763 == 1023u)) < _e221.member_1.z)) << bitcast<u32>(20i)));
-                                    let _e779 = (_e481 & 1023u);
-                                    let _e785 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e779) * _e307)) ^ _e70)));
-                                    let _e792 = ((_e481 >> bitcast<u32>(10u)) & 1023u);
-                                    let _e798 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e792) * _e385)) ^ _e70)));
-                                    let _e805 = ((_e481 >> bitcast<u32>(20u)) & 1023u);
-                                    let _e811 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e805) * _e466)) ^ _e70)));
-                                    let _e817 = (_e778 & 1023u);
-                                    let _e823 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e817) * _e307)) ^ _e70)));
-                                    let _e830 = ((_e778 >> bitcast<u32>(10u)) & 1023u);
-                                    let _e836 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e830) * _e385)) ^ _e70)));
-                                    let _e843 = ((_e778 >> bitcast<u32>(20u)) & 1023u);
-                                    let _e849 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e843) * _e466)) ^ _e70)));
-                                    phi_1551_ = type_41(array<f32, 3>(select(select(_e149.member_1[0], _e785, (_e785 < _e149.member_1[0])), _e149.member_1[0], (_e779 == 1023u)), select(select(_e149.member_1[1], _e798, (_e798 < _e149.member_1[1])), _e149.member_1[1], (_e792 == 1023u)), select(select(_e149.member_1[2], _e811, (_e811 < _e149.member_1[2])), _e149.member_1[2], (_e805 == 1023u))), array<f32, 3>(select(select(_e149.member_1[0], _e823, (_e823 < _e149.member_1[0])), _e149.member_1[0], (_e817 == 1023u)), select(select(_e149.member_1[1], _e836, (_e836 < _e149.member_1[1])), _e149.member_1[1], (_e830 == 1023u)), select(select(_e149.member_1[2], _e849, (_e849 < _e149.member_1[2])), _e149.member_1[2], (_e843 == 1023u))));
-                                    phi_1552_ = select(_e176.member_2, _e176.member_1, _e183);
+                                    let _e641 = phi_1031_;
+                                    let _e643 = phi_1032_;
+                                    if _e643 {
+                                        if (_e621 < 1023u) {
+                                            let _e645 = (_e621 + 1u);
+                                            let _e653 = (_e153.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e645)) - 8388608f) * _e251)) ^ _e74)));
+                                            phi_1072_ = select(_e621, _e645, (select(select(_e153.member_1[0], _e653, (_e653 < _e153.member_1[0])), _e153.member_1[0], (_e645 == 1023u)) <= _e225.member_1.x));
+                                        } else {
+                                            phi_1072_ = _e621;
+                                        }
+                                        let _e661 = phi_1072_;
+                                        phi_1073_ = _e661;
+                                    } else {
+                                        phi_1073_ = _e641;
+                                    }
+                                    let _e663 = phi_1073_;
+                                    let _e671 = (_e153.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e663)) - 8388608f) * _e251)) ^ _e74)));
+                                    let _e677 = select(_e663, 0u, (select(select(_e153.member_1[0], _e671, (_e671 < _e153.member_1[0])), _e153.member_1[0], (_e663 == 1023u)) > _e225.member_1.x));
+                                    if (_e677 < 1023u) {
+                                        let _e686 = (_e153.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e677)) - 8388608f) * _e251)) ^ _e74)));
+                                        let _e691 = (select(select(_e153.member_1[0], _e686, (_e686 < _e153.member_1[0])), _e153.member_1[0], (_e677 == 1023u)) < _e225.member_1.x);
+                                        if _e691 {
+                                            phi_1138_ = (_e677 + 1u);
+                                        } else {
+                                            phi_1138_ = u32();
+                                        }
+                                        let _e694 = phi_1138_;
+                                        phi_1140_ = _e694;
+                                        phi_1141_ = select(true, false, _e691);
+                                    } else {
+                                        phi_1140_ = u32();
+                                        phi_1141_ = true;
+                                    }
+                                    let _e697 = phi_1140_;
+                                    let _e699 = phi_1141_;
+                                    let _e700 = select(_e697, _e677, _e699);
+                                    let _e708 = (_e153.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e700)) - 8388608f) * _e251)) ^ _e74)));
+                                    let _e715 = (_e225.member_1.y - _e153.member[1]);
+                                    if _e360 {
+                                        phi_1189_ = (_e715 / _e359);
+                                    } else {
+                                        phi_1189_ = 0f;
+                                    }
+                                    let _e718 = phi_1189_;
+                                    let _e720 = select(1023f, _e718, (_e718 < 1023f));
+                                    let _e728 = bitcast<u32>(select(0i, select(select(i32(_e720), i32(-2147483648), (_e720 < -2147483600f)), 2147483647i, (_e720 > 2147483500f)), (_e720 == _e720)));
+                                    if (_e728 > 0u) {
+                                        let _e737 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e728)) - 8388608f) * _e359)) ^ _e74)) > _e715);
+                                        if _e737 {
+                                            phi_1222_ = (_e728 - 1u);
+                                        } else {
+                                            phi_1222_ = u32();
+                                        }
+                                        let _e740 = phi_1222_;
+                                        phi_1224_ = _e740;
+                                        phi_1225_ = select(true, false, _e737);
+                                    } else {
+                                        phi_1224_ = u32();
+                                        phi_1225_ = true;
+                                    }
+                                    let _e743 = phi_1224_;
+                                    let _e745 = phi_1225_;
+                                    if _e745 {
+                                        if (_e728 < 1023u) {
+                                            let _e747 = (_e728 + 1u);
+                                            phi_1247_ = select(_e728, _e747, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e747)) - 8388608f) * _e359)) ^ _e74)) <= _e715));
+                                        } else {
+                                            phi_1247_ = _e728;
+                                        }
+                                        let _e758 = phi_1247_;
+                                        phi_1248_ = _e758;
+                                    } else {
+                                        phi_1248_ = _e743;
+                                    }
+                                    let _e760 = phi_1248_;
+                                    if (_e760 > 0u) {
+                                        let _e769 = (_e153.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e760)) - 8388608f) * _e359)) ^ _e74)));
+                                        let _e774 = (select(select(_e153.member_1[1], _e769, (_e769 < _e153.member_1[1])), _e153.member_1[1], (_e760 == 1023u)) > _e225.member_1.y);
+                                        if _e774 {
+                                            phi_1283_ = (_e760 - 1u);
+                                        } else {
+                                            phi_1283_ = u32();
+                                        }
+                                        let _e777 = phi_1283_;
+                                        phi_1285_ = _e777;
+                                        phi_1286_ = select(true, false, _e774);
+                                    } else {
+                                        phi_1285_ = u32();
+                                        phi_1286_ = true;
+                                    }
+                                    let _e780 = phi_1285_;
+                                    let _e782 = phi_1286_;
+                                    if _e782 {
+                                        if (_e760 < 1023u) {
+                                            let _e784 = (_e760 + 1u);
+                                            let _e792 = (_e153.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e784)) - 8388608f) * _e359)) ^ _e74)));
+                                            phi_1326_ = select(_e760, _e784, (select(select(_e153.member_1[1], _e792, (_e792 < _e153.member_1[1])), _e153.member_1[1], (_e784 == 1023u)) <= _e225.member_1.y));
+                                        } else {
+                                            phi_1326_ = _e760;
+                                        }
+                                        let _e800 = phi_1326_;
+                                        phi_1327_ = _e800;
+                                    } else {
+                                        phi_1327_ = _e780;
+                                    }
+                                    let _e802 = phi_1327_;
+                                    let _e810 = (_e153.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e802)) - 8388608f) * _e359)) ^ _e74)));
+                                    let _e816 = select(_e802, 0u, (select(select(_e153.member_1[1], _e810, (_e810 < _e153.member_1[1])), _e153.member_1[1], (_e802 == 1023u)) > _e225.member_1.y));
+                                    if (_e816 < 1023u) {
+                                        let _e825 = (_e153.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e816)) - 8388608f) * _e359)) ^ _e74)));
+                                        let _e830 = (select(select(_e153.member_1[1], _e825, (_e825 < _e153.member_1[1])), _e153.member_1[1], (_e816 == 1023u)) < _e225.member_1.y);
+                                        if _e830 {
+                                            phi_1392_ = (_e816 + 1u);
+                                        } else {
+                                            phi_1392_ = u32();
+                                        }
+                                        let _e833 = phi_1392_;
+                                        phi_1394_ = _e833;
+                                        phi_1395_ = select(true, false, _e830);
+                                    } else {
+                                        phi_1394_ = u32();
+                                        phi_1395_ = true;
+                                    }
+                                    let _e836 = phi_1394_;
+                                    let _e838 = phi_1395_;
+                                    let _e839 = select(_e836, _e816, _e838);
+                                    let _e847 = (_e153.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e359)) ^ _e74)));
+                                    let _e857 = (_e225.member_1.z - _e153.member[2]);
+                                    if _e471 {
+                                        phi_1445_ = (_e857 / _e470);
+                                    } else {
+                                        phi_1445_ = 0f;
+                                    }
+                                    let _e860 = phi_1445_;
+                                    let _e862 = select(1023f, _e860, (_e860 < 1023f));
+                                    let _e870 = bitcast<u32>(select(0i, select(select(i32(_e862), i32(-2147483648), (_e862 < -2147483600f)), 2147483647i, (_e862 > 2147483500f)), (_e862 == _e862)));
+                                    if (_e870 > 0u) {
+                                        let _e879 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e870)) - 8388608f) * _e470)) ^ _e74)) > _e857);
+                                        if _e879 {
+                                            phi_1478_ = (_e870 - 1u);
+                                        } else {
+                                            phi_1478_ = u32();
+                                        }
+                                        let _e882 = phi_1478_;
+                                        phi_1480_ = _e882;
+                                        phi_1481_ = select(true, false, _e879);
+                                    } else {
+                                        phi_1480_ = u32();
+                                        phi_1481_ = true;
+                                    }
+                                    let _e885 = phi_1480_;
+                                    let _e887 = phi_1481_;
+                                    if _e887 {
+                                        if (_e870 < 1023u) {
+                                            let _e889 = (_e870 + 1u);
+                                            phi_1503_ = select(_e870, _e889, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e889)) - 8388608f) * _e470)) ^ _e74)) <= _e857));
+                                        } else {
+                                            phi_1503_ = _e870;
+                                        }
+                                        let _e900 = phi_1503_;
+                                        phi_1504_ = _e900;
+                                    } else {
+                                        phi_1504_ = _e885;
+                                    }
+                                    let _e902 = phi_1504_;
+                                    if (_e902 > 0u) {
+                                        let _e911 = (_e153.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e902)) - 8388608f) * _e470)) ^ _e74)));
+                                        let _e916 = (select(select(_e153.member_1[2], _e911, (_e911 < _e153.member_1[2])), _e153.member_1[2], (_e902 == 1023u)) > _e225.member_1.z);
+                                        if _e916 {
+                                            phi_1539_ = (_e902 - 1u);
+                                        } else {
+                                            phi_1539_ = u32();
+                                        }
+                                        let _e919 = phi_1539_;
+                                        phi_1541_ = _e919;
+                                        phi_1542_ = select(true, false, _e916);
+                                    } else {
+                                        phi_1541_ = u32();
+                                        phi_1542_ = true;
+                                    }
+                                    let _e922 = phi_1541_;
+                                    let _e924 = phi_1542_;
+                                    if _e924 {
+                                        if (_e902 < 1023u) {
+                                            let _e926 = (_e902 + 1u);
+                                            let _e934 = (_e153.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e926)) - 8388608f) * _e470)) ^ _e74)));
+                                            phi_1582_ = select(_e902, _e926, (select(select(_e153.member_1[2], _e934, (_e934 < _e153.member_1[2])), _e153.member_1[2], (_e926 == 1023u)) <= _e225.member_1.z));
+                                        } else {
+                                            phi_1582_ = _e902;
+                                        }
+                                        let _e942 = phi_1582_;
+                                        phi_1583_ = _e942;
+                                    } else {
+                                        phi_1583_ = _e922;
+                                    }
+                                    let _e944 = phi_1583_;
+                                    let _e952 = (_e153.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e944)) - 8388608f) * _e470)) ^ _e74)));
+                                    let _e958 = select(_e944, 0u, (select(select(_e153.member_1[2], _e952, (_e952 < _e153.member_1[2])), _e153.member_1[2], (_e944 == 1023u)) > _e225.member_1.z));
+                                    if (_e958 < 1023u) {
+                                        let _e967 = (_e153.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e958)) - 8388608f) * _e470)) ^ _e74)));
+                                        let _e972 = (select(select(_e153.member_1[2], _e967, (_e967 < _e153.member_1[2])), _e153.member_1[2], (_e958 == 1023u)) < _e225.member_1.z);
+                                        if _e972 {
+                                            phi_1648_ = (_e958 + 1u);
+                                        } else {
+                                            phi_1648_ = u32();
+                                        }
+                                        let _e975 = phi_1648_;
+                                        phi_1650_ = _e975;
+                                        phi_1651_ = select(true, false, _e972);
+                                    } else {
+                                        phi_1650_ = u32();
+                                        phi_1651_ = true;
+                                    }
+                                    let _e978 = phi_1650_;
+                                    let _e980 = phi_1651_;
+                                    let _e981 = select(_e978, _e958, _e980);
+                                    let _e989 = (_e153.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e981)) - 8388608f) * _e470)) ^ _e74)));
+                                    let _e998 = ((select(_e700, 1023u, (select(select(_e153.member_1[0], _e708, (_e708 < _e153.member_1[0])), _e153.member_1[0], (_e700 == 1023u)) < _e225.member_1.x)) | (select(_e839, 1023u, (select(select(_e153.member_1[1], _e847, (_e847 < _e153.member_1[1])), _e153.member_1[1], (_e839 == 1023u)) < _e225.member_1.y)) << bitcast<u32>(10i))) | (select(_e981, 1023u, (select(select(_e153.member_1[2], _e989, (_e989 < _e153.member_1[2])), _e153.member_1[2], (_e981 == 1023u)) < _e225.member_1.z)) << bitcast<u32>(20i)));
+                                    let _e999 = (_e575 & 1023u);
+                                    let _e1007 = (_e153.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e999)) - 8388608f) * _e251)) ^ _e74)));
+                                    let _e1014 = ((_e575 >> bitcast<u32>(10u)) & 1023u);
+                                    let _e1022 = (_e153.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1014)) - 8388608f) * _e359)) ^ _e74)));
+                                    let _e1029 = ((_e575 >> bitcast<u32>(20u)) & 1023u);
+                                    let _e1037 = (_e153.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1029)) - 8388608f) * _e470)) ^ _e74)));
+                                    let _e1043 = (_e998 & 1023u);
+                                    let _e1051 = (_e153.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1043)) - 8388608f) * _e251)) ^ _e74)));
+                                    let _e1058 = ((_e998 >> bitcast<u32>(10u)) & 1023u);
+                                    let _e1066 = (_e153.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1058)) - 8388608f) * _e359)) ^ _e74)));
+                                    let _e1073 = ((_e998 >> bitcast<u32>(20u)) & 1023u);
+                                    let _e1081 = (_e153.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1073)) - 8388608f) * _e470)) ^ _e74)));
+                                    phi_1885_ = type_41(array<f32, 3>(select(select(_e153.member_1[0], _e1007, (_e1007 < _e153.member_1[0])), _e153.member_1[0], (_e999 == 1023u)), select(select(_e153.member_1[1], _e1022, (_e1022 < _e153.member_1[1])), _e153.member_1[1], (_e1014 == 1023u)), select(select(_e153.member_1[2], _e1037, (_e1037 < _e153.member_1[2])), _e153.member_1[2], (_e1029 == 1023u))), array<f32, 3>(select(select(_e153.member_1[0], _e1051, (_e1051 < _e153.member_1[0])), _e153.member_1[0], (_e1043 == 1023u)), select(select(_e153.member_1[1], _e1066, (_e1066 < _e153.member_1[1])), _e153.member_1[1], (_e1058 == 1023u)), select(select(_e153.member_1[2], _e1081, (_e1081 < _e153.member_1[2])), _e153.member_1[2], (_e1073 == 1023u))));
+                                    phi_1886_ = select(_e180.member_2, _e180.member_1, _e187);
                                 }
-                                let _e858 = phi_1551_;
-                                let _e860 = phi_1552_;
-                                phi_258_ = _e858;
-                                phi_260_ = _e860;
-                                phi_1554_ = select(true, false, _e170);
+                                let _e1090 = phi_1885_;
+                                let _e1092 = phi_1886_;
+                                phi_262_ = _e1090;
+                                phi_264_ = _e1092;
+                                phi_1888_ = select(true, false, _e174);
                             } else {
-                                phi_258_ = type_41();
-                                phi_260_ = u32();
-                                phi_1554_ = false;
+                                phi_262_ = type_41();
+                                phi_264_ = u32();
+                                phi_1888_ = false;
                             }
-                            let _e863 = phi_258_;
-                            let _e865 = phi_260_;
-                            let _e867 = phi_1554_;
+                            let _e1095 = phi_262_;
+                            let _e1097 = phi_264_;
+                            let _e1099 = phi_1888_;
                             continue;
                             continuing {
-                                phi_254_ = _e164;
-                                phi_257_ = _e863;
-                                phi_259_ = _e865;
-                                phi_7781_ = false;
-                                break if !(_e867);
+                                phi_258_ = _e168;
+                                phi_261_ = _e1095;
+                                phi_263_ = _e1097;
+                                phi_9765_ = false;
+                                break if !(_e1099);
                             }
                         }
-                        let _e870 = phi_7781_;
-                        if _e870 {
+                        let _e1102 = phi_9765_;
+                        if _e1102 {
                             break;
                         }
-                        if _e66 {
+                        if _e70 {
                         } else {
                             break;
                         }
-                        let _e874 = global_4.member[_e61].member_1;
-                        if (_e874 == 2147483648u) {
-                            phi_1582_ = type_31(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                        let _e1106 = global_4.member[_e65].member_1;
+                        if (_e1106 == 2147483648u) {
+                            phi_1916_ = type_31(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                         } else {
-                            let _e880 = global_4.member[_e61].member[0u];
-                            let _e885 = global_4.member[_e61].member[1u];
-                            let _e890 = global_4.member[_e61].member[2u];
-                            phi_1582_ = type_31(vec3<f32>(_e880[0], _e885[0], _e890[0]), vec3<f32>(_e880[2], _e885[2], _e890[2]));
+                            let _e1112 = global_4.member[_e65].member[0u];
+                            let _e1117 = global_4.member[_e65].member[1u];
+                            let _e1122 = global_4.member[_e65].member[2u];
+                            phi_1916_ = type_31(vec3<f32>(_e1112[0], _e1117[0], _e1122[0]), vec3<f32>(_e1112[2], _e1117[2], _e1122[2]));
                         }
-                        let _e901 = phi_1582_;
-                        let _e905 = global_4.member[_e61].member_2;
-                        if (_e905 == 2147483648u) {
-                            phi_1604_ = _e901;
+                        let _e1133 = phi_1916_;
+                        let _e1137 = global_4.member[_e65].member_2;
+                        if (_e1137 == 2147483648u) {
+                            phi_1938_ = _e1133;
                         } else {
-                            let _e911 = global_4.member[_e61].member[0u];
-                            let _e916 = global_4.member[_e61].member[1u];
-                            let _e921 = global_4.member[_e61].member[2u];
-                            phi_1604_ = type_31(vec3<f32>(_e911[1], _e916[1], _e921[1]), vec3<f32>(_e911[3], _e916[3], _e921[3]));
+                            let _e1143 = global_4.member[_e65].member[0u];
+                            let _e1148 = global_4.member[_e65].member[1u];
+                            let _e1153 = global_4.member[_e65].member[2u];
+                            phi_1938_ = type_31(vec3<f32>(_e1143[1], _e1148[1], _e1153[1]), vec3<f32>(_e1143[3], _e1148[3], _e1153[3]));
                         }
-                        let _e932 = phi_1604_;
-                        let _e958 = local;
-                        let _e961 = local_1;
-                        let _e969 = (_e961.member_1[0] - _e958.member[0]);
-                        let _e970 = (_e969 > 0f);
-                        if _e970 {
-                            phi_1635_ = (((_e901.member.x - _e958.member[0]) / _e969) * 1023f);
+                        let _e1164 = phi_1938_;
+                        let _e1190 = local;
+                        let _e1193 = local_1;
+                        let _e1201 = (_e1133.member.x - _e1190.member[0]);
+                        let _e1206 = bitcast<f32>((bitcast<u32>(((_e1193.member_1[0] - _e1190.member[0]) * 0.0009775171f)) ^ _e74));
+                        let _e1207 = (_e1206 > 0f);
+                        if _e1207 {
+                            phi_1973_ = (_e1201 / _e1206);
                         } else {
-                            phi_1635_ = 0f;
+                            phi_1973_ = 0f;
                         }
-                        let _e975 = phi_1635_;
-                        let _e977 = select(1023f, _e975, (_e975 < 1023f));
-                        let _e979 = select(0f, _e977, (_e977 > 0f));
-                        let _e984 = select(select(u32(_e979), 0u, (_e979 < 0f)), 4294967295u, (_e979 > 4294967000f));
-                        if (_e984 > 0u) {
-                            let _e995 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e984) * bitcast<f32>((bitcast<u32>((_e969 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                            let _e1000 = (select(select(_e961.member_1[0], _e995, (_e995 < _e961.member_1[0])), _e961.member_1[0], (_e984 == 1023u)) > _e901.member.x);
-                            if _e1000 {
-                                phi_1686_ = (_e984 - 1u);
+                        let _e1210 = phi_1973_;
+                        let _e1212 = select(1023f, _e1210, (_e1210 < 1023f));
+                        let _e1220 = bitcast<u32>(select(0i, select(select(i32(_e1212), i32(-2147483648), (_e1212 < -2147483600f)), 2147483647i, (_e1212 > 2147483500f)), (_e1212 == _e1212)));
+                        if (_e1220 > 0u) {
+                            let _e1229 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1220)) - 8388608f) * _e1206)) ^ _e74)) > _e1201);
+                            if _e1229 {
+                                phi_2006_ = (_e1220 - 1u);
                             } else {
-                                phi_1686_ = u32();
+                                phi_2006_ = u32();
                             }
-                            let _e1003 = phi_1686_;
-                            phi_1688_ = _e1003;
-                            phi_1689_ = select(true, false, _e1000);
+                            let _e1232 = phi_2006_;
+                            phi_2008_ = _e1232;
+                            phi_2009_ = select(true, false, _e1229);
                         } else {
-                            phi_1688_ = u32();
-                            phi_1689_ = true;
+                            phi_2008_ = u32();
+                            phi_2009_ = true;
                         }
-                        let _e1006 = phi_1688_;
-                        let _e1008 = phi_1689_;
-                        if _e1008 {
-                            if (_e984 < 1023u) {
-                                let _e1010 = (_e984 + 1u);
-                                let _e1020 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1010) * bitcast<f32>((bitcast<u32>((_e969 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                phi_1727_ = select(_e984, _e1010, (select(select(_e961.member_1[0], _e1020, (_e1020 < _e961.member_1[0])), _e961.member_1[0], (_e1010 == 1023u)) <= _e901.member.x));
+                        let _e1235 = phi_2008_;
+                        let _e1237 = phi_2009_;
+                        if _e1237 {
+                            if (_e1220 < 1023u) {
+                                let _e1239 = (_e1220 + 1u);
+                                phi_2031_ = select(_e1220, _e1239, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1239)) - 8388608f) * _e1206)) ^ _e74)) <= _e1201));
                             } else {
-                                phi_1727_ = _e984;
+                                phi_2031_ = _e1220;
                             }
-                            let _e1028 = phi_1727_;
-                            phi_1728_ = _e1028;
+                            let _e1250 = phi_2031_;
+                            phi_2032_ = _e1250;
                         } else {
-                            phi_1728_ = _e1006;
+                            phi_2032_ = _e1235;
                         }
-                        let _e1030 = phi_1728_;
-                        let _e1034 = bitcast<f32>((bitcast<u32>((_e969 * 0.0009775171f)) ^ _e70));
-                        let _e1040 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1030) * _e1034)) ^ _e70)));
-                        let _e1047 = (_e961.member_1[1] - _e958.member[1]);
-                        let _e1048 = (_e1047 > 0f);
-                        if _e1048 {
-                            phi_1766_ = (((_e901.member.y - _e958.member[1]) / _e1047) * 1023f);
-                        } else {
-                            phi_1766_ = 0f;
-                        }
-                        let _e1053 = phi_1766_;
-                        let _e1055 = select(1023f, _e1053, (_e1053 < 1023f));
-                        let _e1057 = select(0f, _e1055, (_e1055 > 0f));
-                        let _e1062 = select(select(u32(_e1057), 0u, (_e1057 < 0f)), 4294967295u, (_e1057 > 4294967000f));
-                        if (_e1062 > 0u) {
-                            let _e1073 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1062) * bitcast<f32>((bitcast<u32>((_e1047 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                            let _e1078 = (select(select(_e961.member_1[1], _e1073, (_e1073 < _e961.member_1[1])), _e961.member_1[1], (_e1062 == 1023u)) > _e901.member.y);
-                            if _e1078 {
-                                phi_1817_ = (_e1062 - 1u);
+                        let _e1252 = phi_2032_;
+                        if (_e1252 > 0u) {
+                            let _e1261 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1252)) - 8388608f) * _e1206)) ^ _e74)));
+                            let _e1266 = (select(select(_e1193.member_1[0], _e1261, (_e1261 < _e1193.member_1[0])), _e1193.member_1[0], (_e1252 == 1023u)) > _e1133.member.x);
+                            if _e1266 {
+                                phi_2067_ = (_e1252 - 1u);
                             } else {
-                                phi_1817_ = u32();
+                                phi_2067_ = u32();
                             }
-                            let _e1081 = phi_1817_;
-                            phi_1819_ = _e1081;
-                            phi_1820_ = select(true, false, _e1078);
+                            let _e1269 = phi_2067_;
+                            phi_2069_ = _e1269;
+                            phi_2070_ = select(true, false, _e1266);
                         } else {
-                            phi_1819_ = u32();
-                            phi_1820_ = true;
+                            phi_2069_ = u32();
+                            phi_2070_ = true;
                         }
-                        let _e1084 = phi_1819_;
-                        let _e1086 = phi_1820_;
-                        if _e1086 {
-                            if (_e1062 < 1023u) {
-                                let _e1088 = (_e1062 + 1u);
-                                let _e1098 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1088) * bitcast<f32>((bitcast<u32>((_e1047 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                phi_1858_ = select(_e1062, _e1088, (select(select(_e961.member_1[1], _e1098, (_e1098 < _e961.member_1[1])), _e961.member_1[1], (_e1088 == 1023u)) <= _e901.member.y));
+                        let _e1272 = phi_2069_;
+                        let _e1274 = phi_2070_;
+                        if _e1274 {
+                            if (_e1252 < 1023u) {
+                                let _e1276 = (_e1252 + 1u);
+                                let _e1284 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1276)) - 8388608f) * _e1206)) ^ _e74)));
+                                phi_2110_ = select(_e1252, _e1276, (select(select(_e1193.member_1[0], _e1284, (_e1284 < _e1193.member_1[0])), _e1193.member_1[0], (_e1276 == 1023u)) <= _e1133.member.x));
                             } else {
-                                phi_1858_ = _e1062;
+                                phi_2110_ = _e1252;
                             }
-                            let _e1106 = phi_1858_;
-                            phi_1859_ = _e1106;
+                            let _e1292 = phi_2110_;
+                            phi_2111_ = _e1292;
                         } else {
-                            phi_1859_ = _e1084;
+                            phi_2111_ = _e1272;
                         }
-                        let _e1108 = phi_1859_;
-                        let _e1112 = bitcast<f32>((bitcast<u32>((_e1047 * 0.0009775171f)) ^ _e70));
-                        let _e1118 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1108) * _e1112)) ^ _e70)));
-                        let _e1128 = (_e961.member_1[2] - _e958.member[2]);
-                        let _e1129 = (_e1128 > 0f);
-                        if _e1129 {
-                            phi_1899_ = (((_e901.member.z - _e958.member[2]) / _e1128) * 1023f);
+                        let _e1294 = phi_2111_;
+                        let _e1302 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1294)) - 8388608f) * _e1206)) ^ _e74)));
+                        let _e1309 = (_e1133.member.y - _e1190.member[1]);
+                        let _e1314 = bitcast<f32>((bitcast<u32>(((_e1193.member_1[1] - _e1190.member[1]) * 0.0009775171f)) ^ _e74));
+                        let _e1315 = (_e1314 > 0f);
+                        if _e1315 {
+                            phi_2155_ = (_e1309 / _e1314);
                         } else {
-                            phi_1899_ = 0f;
+                            phi_2155_ = 0f;
                         }
-                        let _e1134 = phi_1899_;
-                        let _e1136 = select(1023f, _e1134, (_e1134 < 1023f));
-                        let _e1138 = select(0f, _e1136, (_e1136 > 0f));
-                        let _e1143 = select(select(u32(_e1138), 0u, (_e1138 < 0f)), 4294967295u, (_e1138 > 4294967000f));
-                        if (_e1143 > 0u) {
-                            let _e1154 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1143) * bitcast<f32>((bitcast<u32>((_e1128 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                            let _e1159 = (select(select(_e961.member_1[2], _e1154, (_e1154 < _e961.member_1[2])), _e961.member_1[2], (_e1143 == 1023u)) > _e901.member.z);
-                            if _e1159 {
-                                phi_1950_ = (_e1143 - 1u);
+                        let _e1318 = phi_2155_;
+                        let _e1320 = select(1023f, _e1318, (_e1318 < 1023f));
+                        let _e1328 = bitcast<u32>(select(0i, select(select(i32(_e1320), i32(-2147483648), (_e1320 < -2147483600f)), 2147483647i, (_e1320 > 2147483500f)), (_e1320 == _e1320)));
+                        if (_e1328 > 0u) {
+                            let _e1337 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1328)) - 8388608f) * _e1314)) ^ _e74)) > _e1309);
+                            if _e1337 {
+                                phi_2188_ = (_e1328 - 1u);
                             } else {
-                                phi_1950_ = u32();
+                                phi_2188_ = u32();
                             }
-                            let _e1162 = phi_1950_;
-                            phi_1952_ = _e1162;
-                            phi_1953_ = select(true, false, _e1159);
+                            let _e1340 = phi_2188_;
+                            phi_2190_ = _e1340;
+                            phi_2191_ = select(true, false, _e1337);
                         } else {
-                            phi_1952_ = u32();
-                            phi_1953_ = true;
+                            phi_2190_ = u32();
+                            phi_2191_ = true;
                         }
-                        let _e1165 = phi_1952_;
-                        let _e1167 = phi_1953_;
-                        if _e1167 {
-                            if (_e1143 < 1023u) {
-                                let _e1169 = (_e1143 + 1u);
-                                let _e1179 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1169) * bitcast<f32>((bitcast<u32>((_e1128 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                phi_1991_ = select(_e1143, _e1169, (select(select(_e961.member_1[2], _e1179, (_e1179 < _e961.member_1[2])), _e961.member_1[2], (_e1169 == 1023u)) <= _e901.member.z));
+                        let _e1343 = phi_2190_;
+                        let _e1345 = phi_2191_;
+                        if _e1345 {
+                            if (_e1328 < 1023u) {
+                                let _e1347 = (_e1328 + 1u);
+                                phi_2213_ = select(_e1328, _e1347, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1347)) - 8388608f) * _e1314)) ^ _e74)) <= _e1309));
                             } else {
-                                phi_1991_ = _e1143;
+                                phi_2213_ = _e1328;
                             }
-                            let _e1187 = phi_1991_;
-                            phi_1992_ = _e1187;
+                            let _e1358 = phi_2213_;
+                            phi_2214_ = _e1358;
                         } else {
-                            phi_1992_ = _e1165;
+                            phi_2214_ = _e1343;
                         }
-                        let _e1189 = phi_1992_;
-                        let _e1193 = bitcast<f32>((bitcast<u32>((_e1128 * 0.0009775171f)) ^ _e70));
-                        let _e1199 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1189) * _e1193)) ^ _e70)));
-                        let _e1208 = ((select(_e1030, 0u, (select(select(_e961.member_1[0], _e1040, (_e1040 < _e961.member_1[0])), _e961.member_1[0], (_e1030 == 1023u)) > _e901.member.x)) | (select(_e1108, 0u, (select(select(_e961.member_1[1], _e1118, (_e1118 < _e961.member_1[1])), _e961.member_1[1], (_e1108 == 1023u)) > _e901.member.y)) << bitcast<u32>(10i))) | (select(_e1189, 0u, (select(select(_e961.member_1[2], _e1199, (_e1199 < _e961.member_1[2])), _e961.member_1[2], (_e1189 == 1023u)) > _e901.member.z)) << bitcast<u32>(20i)));
-                        if _e970 {
-                            phi_2032_ = (((_e901.member_1.x - _e958.member[0]) / _e969) * 1023f);
-                        } else {
-                            phi_2032_ = 0f;
-                        }
-                        let _e1213 = phi_2032_;
-                        let _e1215 = select(1023f, _e1213, (_e1213 < 1023f));
-                        let _e1217 = select(0f, _e1215, (_e1215 > 0f));
-                        let _e1222 = select(select(u32(_e1217), 0u, (_e1217 < 0f)), 4294967295u, (_e1217 > 4294967000f));
-                        if (_e1222 > 0u) {
-                            let _e1229 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1222) * _e1034)) ^ _e70)));
-                            let _e1234 = (select(select(_e961.member_1[0], _e1229, (_e1229 < _e961.member_1[0])), _e961.member_1[0], (_e1222 == 1023u)) > _e901.member_1.x);
-                            if _e1234 {
-                                phi_2083_ = (_e1222 - 1u);
+                        let _e1360 = phi_2214_;
+                        if (_e1360 > 0u) {
+                            let _e1369 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1360)) - 8388608f) * _e1314)) ^ _e74)));
+                            let _e1374 = (select(select(_e1193.member_1[1], _e1369, (_e1369 < _e1193.member_1[1])), _e1193.member_1[1], (_e1360 == 1023u)) > _e1133.member.y);
+                            if _e1374 {
+                                phi_2249_ = (_e1360 - 1u);
                             } else {
-                                phi_2083_ = u32();
+                                phi_2249_ = u32();
                             }
-                            let _e1237 = phi_2083_;
-                            phi_2085_ = _e1237;
-                            phi_2086_ = select(true, false, _e1234);
+                            let _e1377 = phi_2249_;
+                            phi_2251_ = _e1377;
+                            phi_2252_ = select(true, false, _e1374);
                         } else {
-                            phi_2085_ = u32();
-                            phi_2086_ = true;
+                            phi_2251_ = u32();
+                            phi_2252_ = true;
                         }
-                        let _e1240 = phi_2085_;
-                        let _e1242 = phi_2086_;
-                        if _e1242 {
-                            if (_e1222 < 1023u) {
-                                let _e1244 = (_e1222 + 1u);
-                                let _e1250 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1244) * _e1034)) ^ _e70)));
-                                phi_2124_ = select(_e1222, _e1244, (select(select(_e961.member_1[0], _e1250, (_e1250 < _e961.member_1[0])), _e961.member_1[0], (_e1244 == 1023u)) <= _e901.member_1.x));
+                        let _e1380 = phi_2251_;
+                        let _e1382 = phi_2252_;
+                        if _e1382 {
+                            if (_e1360 < 1023u) {
+                                let _e1384 = (_e1360 + 1u);
+                                let _e1392 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1384)) - 8388608f) * _e1314)) ^ _e74)));
+                                phi_2292_ = select(_e1360, _e1384, (select(select(_e1193.member_1[1], _e1392, (_e1392 < _e1193.member_1[1])), _e1193.member_1[1], (_e1384 == 1023u)) <= _e1133.member.y));
                             } else {
-                                phi_2124_ = _e1222;
+                                phi_2292_ = _e1360;
                             }
-                            let _e1258 = phi_2124_;
-                            phi_2125_ = _e1258;
+                            let _e1400 = phi_2292_;
+                            phi_2293_ = _e1400;
                         } else {
-                            phi_2125_ = _e1240;
+                            phi_2293_ = _e1380;
                         }
-                        let _e1260 = phi_2125_;
-                        let _e1266 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1260) * _e1034)) ^ _e70)));
-                        let _e1272 = select(_e1260, 0u, (select(select(_e961.member_1[0], _e1266, (_e1266 < _e961.member_1[0])), _e961.member_1[0], (_e1260 == 1023u)) > _e901.member_1.x));
-                        if (_e1272 < 1023u) {
-                            let _e1279 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1272) * _e1034)) ^ _e70)));
-                            let _e1284 = (select(select(_e961.member_1[0], _e1279, (_e1279 < _e961.member_1[0])), _e961.member_1[0], (_e1272 == 1023u)) < _e901.member_1.x);
-                            if _e1284 {
-                                phi_2186_ = (_e1272 + 1u);
+                        let _e1402 = phi_2293_;
+                        let _e1410 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1402)) - 8388608f) * _e1314)) ^ _e74)));
+                        let _e1420 = (_e1133.member.z - _e1190.member[2]);
+                        let _e1425 = bitcast<f32>((bitcast<u32>(((_e1193.member_1[2] - _e1190.member[2]) * 0.0009775171f)) ^ _e74));
+                        let _e1426 = (_e1425 > 0f);
+                        if _e1426 {
+                            phi_2339_ = (_e1420 / _e1425);
+                        } else {
+                            phi_2339_ = 0f;
+                        }
+                        let _e1429 = phi_2339_;
+                        let _e1431 = select(1023f, _e1429, (_e1429 < 1023f));
+                        let _e1439 = bitcast<u32>(select(0i, select(select(i32(_e1431), i32(-2147483648), (_e1431 < -2147483600f)), 2147483647i, (_e1431 > 2147483500f)), (_e1431 == _e1431)));
+                        if (_e1439 > 0u) {
+                            let _e1448 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1439)) - 8388608f) * _e1425)) ^ _e74)) > _e1420);
+                            if _e1448 {
+                                phi_2372_ = (_e1439 - 1u);
                             } else {
-                                phi_2186_ = u32();
+                                phi_2372_ = u32();
                             }
-                            let _e1287 = phi_2186_;
-                            phi_2188_ = _e1287;
-                            phi_2189_ = select(true, false, _e1284);
+                            let _e1451 = phi_2372_;
+                            phi_2374_ = _e1451;
+                            phi_2375_ = select(true, false, _e1448);
                         } else {
-                            phi_2188_ = u32();
-                            phi_2189_ = true;
+                            phi_2374_ = u32();
+                            phi_2375_ = true;
                         }
-                        let _e1290 = phi_2188_;
-                        let _e1292 = phi_2189_;
-                        let _e1293 = select(_e1290, _e1272, _e1292);
-                        let _e1299 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1293) * _e1034)) ^ _e70)));
-                        if _e1048 {
-                            phi_2231_ = (((_e901.member_1.y - _e958.member[1]) / _e1047) * 1023f);
-                        } else {
-                            phi_2231_ = 0f;
-                        }
-                        let _e1310 = phi_2231_;
-                        let _e1312 = select(1023f, _e1310, (_e1310 < 1023f));
-                        let _e1314 = select(0f, _e1312, (_e1312 > 0f));
-                        let _e1319 = select(select(u32(_e1314), 0u, (_e1314 < 0f)), 4294967295u, (_e1314 > 4294967000f));
-                        if (_e1319 > 0u) {
-                            let _e1326 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1319) * _e1112)) ^ _e70)));
-                            let _e1331 = (select(select(_e961.member_1[1], _e1326, (_e1326 < _e961.member_1[1])), _e961.member_1[1], (_e1319 == 1023u)) > _e901.member_1.y);
-                            if _e1331 {
-                                phi_2282_ = (_e1319 - 1u);
+                        let _e1454 = phi_2374_;
+                        let _e1456 = phi_2375_;
+                        if _e1456 {
+                            if (_e1439 < 1023u) {
+                                let _e1458 = (_e1439 + 1u);
+                                phi_2397_ = select(_e1439, _e1458, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1458)) - 8388608f) * _e1425)) ^ _e74)) <= _e1420));
                             } else {
-                                phi_2282_ = u32();
+                                phi_2397_ = _e1439;
                             }
-                            let _e1334 = phi_2282_;
-                            phi_2284_ = _e1334;
-                            phi_2285_ = select(true, false, _e1331);
+                            let _e1469 = phi_2397_;
+                            phi_2398_ = _e1469;
                         } else {
-                            phi_2284_ = u32();
-                            phi_2285_ = true;
+                            phi_2398_ = _e1454;
                         }
-                        let _e1337 = phi_2284_;
-                        let _e1339 = phi_2285_;
-                        if _e1339 {
-                            if (_e1319 < 1023u) {
-                                let _e1341 = (_e1319 + 1u);
-                                let _e1347 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1341) * _e1112)) ^ _e70)));
-                                phi_2323_ = select(_e1319, _e1341, (select(select(_e961.member_1[1], _e1347, (_e1347 < _e961.member_1[1])), _e961.member_1[1], (_e1341 == 1023u)) <= _e901.member_1.y));
+                        let _e1471 = phi_2398_;
+                        if (_e1471 > 0u) {
+                            let _e1480 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1471)) - 8388608f) * _e1425)) ^ _e74)));
+                            let _e1485 = (select(select(_e1193.member_1[2], _e1480, (_e1480 < _e1193.member_1[2])), _e1193.member_1[2], (_e1471 == 1023u)) > _e1133.member.z);
+                            if _e1485 {
+                                phi_2433_ = (_e1471 - 1u);
                             } else {
-                                phi_2323_ = _e1319;
+                                phi_2433_ = u32();
                             }
-                            let _e1355 = phi_2323_;
-                            phi_2324_ = _e1355;
+                            let _e1488 = phi_2433_;
+                            phi_2435_ = _e1488;
+                            phi_2436_ = select(true, false, _e1485);
                         } else {
-                            phi_2324_ = _e1337;
+                            phi_2435_ = u32();
+                            phi_2436_ = true;
                         }
-                        let _e1357 = phi_2324_;
-                        let _e1363 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1357) * _e1112)) ^ _e70)));
-                        let _e1369 = select(_e1357, 0u, (select(select(_e961.member_1[1], _e1363, (_e1363 < _e961.member_1[1])), _e961.member_1[1], (_e1357 == 1023u)) > _e901.member_1.y));
-                        if (_e1369 < 1023u) {
-                            let _e1376 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1369) * _e1112)) ^ _e70)));
-                            let _e1381 = (select(select(_e961.member_1[1], _e1376, (_e1376 < _e961.member_1[1])), _e961.member_1[1], (_e1369 == 1023u)) < _e901.member_1.y);
-                            if _e1381 {
-                                phi_2385_ = (_e1369 + 1u);
+                        let _e1491 = phi_2435_;
+                        let _e1493 = phi_2436_;
+                        if _e1493 {
+                            if (_e1471 < 1023u) {
+                                let _e1495 = (_e1471 + 1u);
+                                let _e1503 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1495)) - 8388608f) * _e1425)) ^ _e74)));
+                                phi_2476_ = select(_e1471, _e1495, (select(select(_e1193.member_1[2], _e1503, (_e1503 < _e1193.member_1[2])), _e1193.member_1[2], (_e1495 == 1023u)) <= _e1133.member.z));
                             } else {
-                                phi_2385_ = u32();
+                                phi_2476_ = _e1471;
                             }
-                            let _e1384 = phi_2385_;
-                            phi_2387_ = _e1384;
-                            phi_2388_ = select(true, false, _e1381);
+                            let _e1511 = phi_2476_;
+                            phi_2477_ = _e1511;
                         } else {
-                            phi_2387_ = u32();
-                            phi_2388_ = true;
+                            phi_2477_ = _e1491;
                         }
-                        let _e1387 = phi_2387_;
-                        let _e1389 = phi_2388_;
-                        let _e1390 = select(_e1387, _e1369, _e1389);
-                        let _e1396 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1390) * _e1112)) ^ _e70)));
-                        if _e1129 {
-                            phi_2432_ = (((_e901.member_1.z - _e958.member[2]) / _e1128) * 1023f);
+                        let _e1513 = phi_2477_;
+                        let _e1521 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1513)) - 8388608f) * _e1425)) ^ _e74)));
+                        let _e1530 = ((select(_e1294, 0u, (select(select(_e1193.member_1[0], _e1302, (_e1302 < _e1193.member_1[0])), _e1193.member_1[0], (_e1294 == 1023u)) > _e1133.member.x)) | (select(_e1402, 0u, (select(select(_e1193.member_1[1], _e1410, (_e1410 < _e1193.member_1[1])), _e1193.member_1[1], (_e1402 == 1023u)) > _e1133.member.y)) << bitcast<u32>(10i))) | (select(_e1513, 0u, (select(select(_e1193.member_1[2], _e1521, (_e1521 < _e1193.member_1[2])), _e1193.member_1[2], (_e1513 == 1023u)) > _e1133.member.z)) << bitcast<u32>(20i)));
+                        let _e1531 = (_e1133.member_1.x - _e1190.member[0]);
+                        if _e1207 {
+                            phi_2523_ = (_e1531 / _e1206);
                         } else {
-                            phi_2432_ = 0f;
+                            phi_2523_ = 0f;
                         }
-                        let _e1410 = phi_2432_;
-                        let _e1412 = select(1023f, _e1410, (_e1410 < 1023f));
-                        let _e1414 = select(0f, _e1412, (_e1412 > 0f));
-                        let _e1419 = select(select(u32(_e1414), 0u, (_e1414 < 0f)), 4294967295u, (_e1414 > 4294967000f));
-                        if (_e1419 > 0u) {
-                            let _e1426 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1419) * _e1193)) ^ _e70)));
-                            let _e1431 = (select(select(_e961.member_1[2], _e1426, (_e1426 < _e961.member_1[2])), _e961.member_1[2], (_e1419 == 1023u)) > _e901.member_1.z);
-                            if _e1431 {
-                                phi_2483_ = (_e1419 - 1u);
+                        let _e1534 = phi_2523_;
+                        let _e1536 = select(1023f, _e1534, (_e1534 < 1023f));
+                        let _e1544 = bitcast<u32>(select(0i, select(select(i32(_e1536), i32(-2147483648), (_e1536 < -2147483600f)), 2147483647i, (_e1536 > 2147483500f)), (_e1536 == _e1536)));
+                        if (_e1544 > 0u) {
+                            let _e1553 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1544)) - 8388608f) * _e1206)) ^ _e74)) > _e1531);
+                            if _e1553 {
+                                phi_2556_ = (_e1544 - 1u);
                             } else {
-                                phi_2483_ = u32();
+                                phi_2556_ = u32();
                             }
-                            let _e1434 = phi_2483_;
-                            phi_2485_ = _e1434;
-                            phi_2486_ = select(true, false, _e1431);
+                            let _e1556 = phi_2556_;
+                            phi_2558_ = _e1556;
+                            phi_2559_ = select(true, false, _e1553);
                         } else {
-                            phi_2485_ = u32();
-                            phi_2486_ = true;
+                            phi_2558_ = u32();
+                            phi_2559_ = true;
                         }
-                        let _e1437 = phi_2485_;
-                        let _e1439 = phi_2486_;
-                        if _e1439 {
-                            if (_e1419 < 1023u) {
-                                let _e1441 = (_e1419 + 1u);
-                                let _e1447 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1441) * _e1193)) ^ _e70)));
-                                phi_2524_ = select(_e1419, _e1441, (select(select(_e961.member_1[2], _e1447, (_e1447 < _e961.member_1[2])), _e961.member_1[2], (_e1441 == 1023u)) <= _e901.member_1.z));
+                        let _e1559 = phi_2558_;
+                        let _e1561 = phi_2559_;
+                        if _e1561 {
+                            if (_e1544 < 1023u) {
+                                let _e1563 = (_e1544 + 1u);
+                                phi_2581_ = select(_e1544, _e1563, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1563)) - 8388608f) * _e1206)) ^ _e74)) <= _e1531));
                             } else {
-                                phi_2524_ = _e1419;
+                                phi_2581_ = _e1544;
                             }
-                            let _e1455 = phi_2524_;
-                            phi_2525_ = _e1455;
+                            let _e1574 = phi_2581_;
+                            phi_2582_ = _e1574;
                         } else {
-                            phi_2525_ = _e1437;
+                            phi_2582_ = _e1559;
                         }
-                        let _e1457 = phi_2525_;
-                        let _e1463 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1457) * _e1193)) ^ _e70)));
-                        let _e1469 = select(_e1457, 0u, (select(select(_e961.member_1[2], _e1463, (_e1463 < _e961.member_1[2])), _e961.member_1[2], (_e1457 == 1023u)) > _e901.member_1.z));
-                        if (_e1469 < 1023u) {
-                            let _e1476 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1469) * _e1193)) ^ _e70)));
-                            let _e1481 = (select(select(_e961.member_1[2], _e1476, (_e1476 < _e961.member_1[2])), _e961.member_1[2], (_e1469 == 1023u)) < _e901.member_1.z);
-                            if _e1481 {
-                                phi_2586_ = (_e1469 + 1u);
+                        let _e1576 = phi_2582_;
+                        if (_e1576 > 0u) {
+                            let _e1585 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1576)) - 8388608f) * _e1206)) ^ _e74)));
+                            let _e1590 = (select(select(_e1193.member_1[0], _e1585, (_e1585 < _e1193.member_1[0])), _e1193.member_1[0], (_e1576 == 1023u)) > _e1133.member_1.x);
+                            if _e1590 {
+                                phi_2617_ = (_e1576 - 1u);
                             } else {
-                                phi_2586_ = u32();
+                                phi_2617_ = u32();
                             }
-                            let _e1484 = phi_2586_;
-                            phi_2588_ = _e1484;
-                            phi_2589_ = select(true, false, _e1481);
+                            let _e1593 = phi_2617_;
+                            phi_2619_ = _e1593;
+                            phi_2620_ = select(true, false, _e1590);
                         } else {
-                            phi_2588_ = u32();
-                            phi_2589_ = true;
+                            phi_2619_ = u32();
+                            phi_2620_ = true;
                         }
-                        let _e1487 = phi_2588_;
-                        let _e1489 = phi_2589_;
-                        let _e1490 = select(_e1487, _e1469, _e1489);
-                        let _e1496 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1490) * _e1193)) ^ _e70)));
-                        let _e1505 = ((select(_e1293, 1023u, (select(select(_e961.member_1[0], _e1299, (_e1299 < _e961.member_1[0])), _e961.member_1[0], (_e1293 == 1023u)) < _e901.member_1.x)) | (select(_e1390, 1023u, (select(select(_e961.member_1[1], _e1396, (_e1396 < _e961.member_1[1])), _e961.member_1[1], (_e1390 == 1023u)) < _e901.member_1.y)) << bitcast<u32>(10i))) | (select(_e1490, 1023u, (select(select(_e961.member_1[2], _e1496, (_e1496 < _e961.member_1[2])), _e961.member_1[2], (_e1490 == 1023u)) < _e901.member_1.z)) << bitcast<u32>(20i)));
-                        if _e970 {
-                            phi_2642_ = (((_e932.member.x - _e958.member[0]) / _e969) * 1023f);
-                        } else {
-                            phi_2642_ = 0f;
-                        }
-                        let _e1511 = phi_2642_;
-                        let _e1513 = select(1023f, _e1511, (_e1511 < 1023f));
-                        let _e1515 = select(0f, _e1513, (_e1513 > 0f));
-                        let _e1520 = select(select(u32(_e1515), 0u, (_e1515 < 0f)), 4294967295u, (_e1515 > 4294967000f));
-                        if (_e1520 > 0u) {
-                            let _e1527 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1520) * _e1034)) ^ _e70)));
-                            let _e1532 = (select(select(_e961.member_1[0], _e1527, (_e1527 < _e961.member_1[0])), _e961.member_1[0], (_e1520 == 1023u)) > _e932.member.x);
-                            if _e1532 {
-                                phi_2693_ = (_e1520 - 1u);
+                        let _e1596 = phi_2619_;
+                        let _e1598 = phi_2620_;
+                        if _e1598 {
+                            if (_e1576 < 1023u) {
+                                let _e1600 = (_e1576 + 1u);
+                                let _e1608 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1600)) - 8388608f) * _e1206)) ^ _e74)));
+                                phi_2660_ = select(_e1576, _e1600, (select(select(_e1193.member_1[0], _e1608, (_e1608 < _e1193.member_1[0])), _e1193.member_1[0], (_e1600 == 1023u)) <= _e1133.member_1.x));
                             } else {
-                                phi_2693_ = u32();
+                                phi_2660_ = _e1576;
                             }
-                            let _e1535 = phi_2693_;
-                            phi_2695_ = _e1535;
-                            phi_2696_ = select(true, false, _e1532);
+                            let _e1616 = phi_2660_;
+                            phi_2661_ = _e1616;
                         } else {
-                            phi_2695_ = u32();
-                            phi_2696_ = true;
+                            phi_2661_ = _e1596;
                         }
-                        let _e1538 = phi_2695_;
-                        let _e1540 = phi_2696_;
-                        if _e1540 {
-                            if (_e1520 < 1023u) {
-                                let _e1542 = (_e1520 + 1u);
-                                let _e1548 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1542) * _e1034)) ^ _e70)));
-                                phi_2734_ = select(_e1520, _e1542, (select(select(_e961.member_1[0], _e1548, (_e1548 < _e961.member_1[0])), _e961.member_1[0], (_e1542 == 1023u)) <= _e932.member.x));
+                        let _e1618 = phi_2661_;
+                        let _e1626 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1618)) - 8388608f) * _e1206)) ^ _e74)));
+                        let _e1632 = select(_e1618, 0u, (select(select(_e1193.member_1[0], _e1626, (_e1626 < _e1193.member_1[0])), _e1193.member_1[0], (_e1618 == 1023u)) > _e1133.member_1.x));
+                        if (_e1632 < 1023u) {
+                            let _e1641 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1632)) - 8388608f) * _e1206)) ^ _e74)));
+                            let _e1646 = (select(select(_e1193.member_1[0], _e1641, (_e1641 < _e1193.member_1[0])), _e1193.member_1[0], (_e1632 == 1023u)) < _e1133.member_1.x);
+                            if _e1646 {
+                                phi_2726_ = (_e1632 + 1u);
                             } else {
-                                phi_2734_ = _e1520;
+                                phi_2726_ = u32();
                             }
-                            let _e1556 = phi_2734_;
-                            phi_2735_ = _e1556;
+                            let _e1649 = phi_2726_;
+                            phi_2728_ = _e1649;
+                            phi_2729_ = select(true, false, _e1646);
                         } else {
-                            phi_2735_ = _e1538;
+                            phi_2728_ = u32();
+                            phi_2729_ = true;
                         }
-                        let _e1558 = phi_2735_;
-                        let _e1564 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1558) * _e1034)) ^ _e70)));
-                        if _e1048 {
-                            phi_2773_ = (((_e932.member.y - _e958.member[1]) / _e1047) * 1023f);
+                        let _e1652 = phi_2728_;
+                        let _e1654 = phi_2729_;
+                        let _e1655 = select(_e1652, _e1632, _e1654);
+                        let _e1663 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1655)) - 8388608f) * _e1206)) ^ _e74)));
+                        let _e1670 = (_e1133.member_1.y - _e1190.member[1]);
+                        if _e1315 {
+                            phi_2777_ = (_e1670 / _e1314);
                         } else {
-                            phi_2773_ = 0f;
+                            phi_2777_ = 0f;
                         }
-                        let _e1575 = phi_2773_;
-                        let _e1577 = select(1023f, _e1575, (_e1575 < 1023f));
-                        let _e1579 = select(0f, _e1577, (_e1577 > 0f));
-                        let _e1584 = select(select(u32(_e1579), 0u, (_e1579 < 0f)), 4294967295u, (_e1579 > 4294967000f));
-                        if (_e1584 > 0u) {
-                            let _e1591 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1584) * _e1112)) ^ _e70)));
-                            let _e1596 = (select(select(_e961.member_1[1], _e1591, (_e1591 < _e961.member_1[1])), _e961.member_1[1], (_e1584 == 1023u)) > _e932.member.y);
-                            if _e1596 {
-                                phi_2824_ = (_e1584 - 1u);
+                        let _e1673 = phi_2777_;
+                        let _e1675 = select(1023f, _e1673, (_e1673 < 1023f));
+                        let _e1683 = bitcast<u32>(select(0i, select(select(i32(_e1675), i32(-2147483648), (_e1675 < -2147483600f)), 2147483647i, (_e1675 > 2147483500f)), (_e1675 == _e1675)));
+                        if (_e1683 > 0u) {
+                            let _e1692 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1683)) - 8388608f) * _e1314)) ^ _e74)) > _e1670);
+                            if _e1692 {
+                                phi_2810_ = (_e1683 - 1u);
                             } else {
-                                phi_2824_ = u32();
+                                phi_2810_ = u32();
                             }
-                            let _e1599 = phi_2824_;
-                            phi_2826_ = _e1599;
-                            phi_2827_ = select(true, false, _e1596);
+                            let _e1695 = phi_2810_;
+                            phi_2812_ = _e1695;
+                            phi_2813_ = select(true, false, _e1692);
                         } else {
-                            phi_2826_ = u32();
-                            phi_2827_ = true;
+                            phi_2812_ = u32();
+                            phi_2813_ = true;
                         }
-                        let _e1602 = phi_2826_;
-                        let _e1604 = phi_2827_;
-                        if _e1604 {
-                            if (_e1584 < 1023u) {
-                                let _e1606 = (_e1584 + 1u);
-                                let _e1612 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1606) * _e1112)) ^ _e70)));
-                                phi_2865_ = select(_e1584, _e1606, (select(select(_e961.member_1[1], _e1612, (_e1612 < _e961.member_1[1])), _e961.member_1[1], (_e1606 == 1023u)) <= _e932.member.y));
+                        let _e1698 = phi_2812_;
+                        let _e1700 = phi_2813_;
+                        if _e1700 {
+                            if (_e1683 < 1023u) {
+                                let _e1702 = (_e1683 + 1u);
+                                phi_2835_ = select(_e1683, _e1702, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1702)) - 8388608f) * _e1314)) ^ _e74)) <= _e1670));
                             } else {
-                                phi_2865_ = _e1584;
+                                phi_2835_ = _e1683;
                             }
-                            let _e1620 = phi_2865_;
-                            phi_2866_ = _e1620;
+                            let _e1713 = phi_2835_;
+                            phi_2836_ = _e1713;
                         } else {
-                            phi_2866_ = _e1602;
+                            phi_2836_ = _e1698;
                         }
-                        let _e1622 = phi_2866_;
-                        let _e1628 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1622) * _e1112)) ^ _e70)));
-                        if _e1129 {
-                            phi_2906_ = (((_e932.member.z - _e958.member[2]) / _e1128) * 1023f);
-                        } else {
-                            phi_2906_ = 0f;
-                        }
-                        let _e1642 = phi_2906_;
-                        let _e1644 = select(1023f, _e1642, (_e1642 < 1023f));
-                        let _e1646 = select(0f, _e1644, (_e1644 > 0f));
-                        let _e1651 = select(select(u32(_e1646), 0u, (_e1646 < 0f)), 4294967295u, (_e1646 > 4294967000f));
-                        if (_e1651 > 0u) {
-                            let _e1658 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1651) * _e1193)) ^ _e70)));
-                            let _e1663 = (select(select(_e961.member_1[2], _e1658, (_e1658 < _e961.member_1[2])), _e961.member_1[2], (_e1651 == 1023u)) > _e932.member.z);
-                            if _e1663 {
-                                phi_2957_ = (_e1651 - 1u);
+                        let _e1715 = phi_2836_;
+                        if (_e1715 > 0u) {
+                            let _e1724 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1715)) - 8388608f) * _e1314)) ^ _e74)));
+                            let _e1729 = (select(select(_e1193.member_1[1], _e1724, (_e1724 < _e1193.member_1[1])), _e1193.member_1[1], (_e1715 == 1023u)) > _e1133.member_1.y);
+                            if _e1729 {
+                                phi_2871_ = (_e1715 - 1u);
                             } else {
-                                phi_2957_ = u32();
+                                phi_2871_ = u32();
                             }
-                            let _e1666 = phi_2957_;
-                            phi_2959_ = _e1666;
-                            phi_2960_ = select(true, false, _e1663);
+                            let _e1732 = phi_2871_;
+                            phi_2873_ = _e1732;
+                            phi_2874_ = select(true, false, _e1729);
                         } else {
-                            phi_2959_ = u32();
-                            phi_2960_ = true;
+                            phi_2873_ = u32();
+                            phi_2874_ = true;
                         }
-                        let _e1669 = phi_2959_;
-                        let _e1671 = phi_2960_;
-                        if _e1671 {
-                            if (_e1651 < 1023u) {
-                                let _e1673 = (_e1651 + 1u);
-                                let _e1679 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1673) * _e1193)) ^ _e70)));
-                                phi_2998_ = select(_e1651, _e1673, (select(select(_e961.member_1[2], _e1679, (_e1679 < _e961.member_1[2])), _e961.member_1[2], (_e1673 == 1023u)) <= _e932.member.z));
+                        let _e1735 = phi_2873_;
+                        let _e1737 = phi_2874_;
+                        if _e1737 {
+                            if (_e1715 < 1023u) {
+                                let _e1739 = (_e1715 + 1u);
+                                let _e1747 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1739)) - 8388608f) * _e1314)) ^ _e74)));
+                                phi_2914_ = select(_e1715, _e1739, (select(select(_e1193.member_1[1], _e1747, (_e1747 < _e1193.member_1[1])), _e1193.member_1[1], (_e1739 == 1023u)) <= _e1133.member_1.y));
                             } else {
-                                phi_2998_ = _e1651;
+                                phi_2914_ = _e1715;
                             }
-                            let _e1687 = phi_2998_;
-                            phi_2999_ = _e1687;
+                            let _e1755 = phi_2914_;
+                            phi_2915_ = _e1755;
                         } else {
-                            phi_2999_ = _e1669;
+                            phi_2915_ = _e1735;
                         }
-                        let _e1689 = phi_2999_;
-                        let _e1695 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1689) * _e1193)) ^ _e70)));
-                        let _e1704 = ((select(_e1558, 0u, (select(select(_e961.member_1[0], _e1564, (_e1564 < _e961.member_1[0])), _e961.member_1[0], (_e1558 == 1023u)) > _e932.member.x)) | (select(_e1622, 0u, (select(select(_e961.member_1[1], _e1628, (_e1628 < _e961.member_1[1])), _e961.member_1[1], (_e1622 == 1023u)) > _e932.member.y)) << bitcast<u32>(10i))) | (select(_e1689, 0u, (select(select(_e961.member_1[2], _e1695, (_e1695 < _e961.member_1[2])), _e961.member_1[2], (_e1689 == 1023u)) > _e932.member.z)) << bitcast<u32>(20i)));
-                        if _e970 {
-                            phi_3039_ = (((_e932.member_1.x - _e958.member[0]) / _e969) * 1023f);
-                        } else {
-                            phi_3039_ = 0f;
-                        }
-                        let _e1709 = phi_3039_;
-                        let _e1711 = select(1023f, _e1709, (_e1709 < 1023f));
-                        let _e1713 = select(0f, _e1711, (_e1711 > 0f));
-                        let _e1718 = select(select(u32(_e1713), 0u, (_e1713 < 0f)), 4294967295u, (_e1713 > 4294967000f));
-                        if (_e1718 > 0u) {
-                            let _e1725 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1718) * _e1034)) ^ _e70)));
-                            let _e1730 = (select(select(_e961.member_1[0], _e1725, (_e1725 < _e961.member_1[0])), _e961.member_1[0], (_e1718 == 1023u)) > _e932.member_1.x);
-                            if _e1730 {
-                                phi_3090_ = (_e1718 - 1u);
+                        let _e1757 = phi_2915_;
+                        let _e1765 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1757)) - 8388608f) * _e1314)) ^ _e74)));
+                        let _e1771 = select(_e1757, 0u, (select(select(_e1193.member_1[1], _e1765, (_e1765 < _e1193.member_1[1])), _e1193.member_1[1], (_e1757 == 1023u)) > _e1133.member_1.y));
+                        if (_e1771 < 1023u) {
+                            let _e1780 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1771)) - 8388608f) * _e1314)) ^ _e74)));
+                            let _e1785 = (select(select(_e1193.member_1[1], _e1780, (_e1780 < _e1193.member_1[1])), _e1193.member_1[1], (_e1771 == 1023u)) < _e1133.member_1.y);
+                            if _e1785 {
+                                phi_2980_ = (_e1771 + 1u);
                             } else {
-                                phi_3090_ = u32();
+                                phi_2980_ = u32();
                             }
-                            let _e1733 = phi_3090_;
-                            phi_3092_ = _e1733;
-                            phi_3093_ = select(true, false, _e1730);
+                            let _e1788 = phi_2980_;
+                            phi_2982_ = _e1788;
+                            phi_2983_ = select(true, false, _e1785);
                         } else {
-                            phi_3092_ = u32();
-                            phi_3093_ = true;
+                            phi_2982_ = u32();
+                            phi_2983_ = true;
                         }
-                        let _e1736 = phi_3092_;
-                        let _e1738 = phi_3093_;
-                        if _e1738 {
-                            if (_e1718 < 1023u) {
-                                let _e1740 = (_e1718 + 1u);
-                                let _e1746 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1740) * _e1034)) ^ _e70)));
-                                phi_3131_ = select(_e1718, _e1740, (select(select(_e961.member_1[0], _e1746, (_e1746 < _e961.member_1[0])), _e961.member_1[0], (_e1740 == 1023u)) <= _e932.member_1.x));
+                        let _e1791 = phi_2982_;
+                        let _e1793 = phi_2983_;
+                        let _e1794 = select(_e1791, _e1771, _e1793);
+                        let _e1802 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1794)) - 8388608f) * _e1314)) ^ _e74)));
+                        let _e1812 = (_e1133.member_1.z - _e1190.member[2]);
+                        if _e1426 {
+                            phi_3033_ = (_e1812 / _e1425);
+                        } else {
+                            phi_3033_ = 0f;
+                        }
+                        let _e1815 = phi_3033_;
+                        let _e1817 = select(1023f, _e1815, (_e1815 < 1023f));
+                        let _e1825 = bitcast<u32>(select(0i, select(select(i32(_e1817), i32(-2147483648), (_e1817 < -2147483600f)), 2147483647i, (_e1817 > 2147483500f)), (_e1817 == _e1817)));
+                        if (_e1825 > 0u) {
+                            let _e1834 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1825)) - 8388608f) * _e1425)) ^ _e74)) > _e1812);
+                            if _e1834 {
+                                phi_3066_ = (_e1825 - 1u);
                             } else {
-                                phi_3131_ = _e1718;
+                                phi_3066_ = u32();
                             }
-                            let _e1754 = phi_3131_;
-                            phi_3132_ = _e1754;
+                            let _e1837 = phi_3066_;
+                            phi_3068_ = _e1837;
+                            phi_3069_ = select(true, false, _e1834);
                         } else {
-                            phi_3132_ = _e1736;
+                            phi_3068_ = u32();
+                            phi_3069_ = true;
                         }
-                        let _e1756 = phi_3132_;
-                        let _e1762 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1756) * _e1034)) ^ _e70)));
-                        let _e1768 = select(_e1756, 0u, (select(select(_e961.member_1[0], _e1762, (_e1762 < _e961.member_1[0])), _e961.member_1[0], (_e1756 == 1023u)) > _e932.member_1.x));
-                        if (_e1768 < 1023u) {
-                            let _e1775 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1768) * _e1034)) ^ _e70)));
-                            let _e1780 = (select(select(_e961.member_1[0], _e1775, (_e1775 < _e961.member_1[0])), _e961.member_1[0], (_e1768 == 1023u)) < _e932.member_1.x);
-                            if _e1780 {
-                                phi_3193_ = (_e1768 + 1u);
+                        let _e1840 = phi_3068_;
+                        let _e1842 = phi_3069_;
+                        if _e1842 {
+                            if (_e1825 < 1023u) {
+                                let _e1844 = (_e1825 + 1u);
+                                phi_3091_ = select(_e1825, _e1844, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1844)) - 8388608f) * _e1425)) ^ _e74)) <= _e1812));
                             } else {
-                                phi_3193_ = u32();
+                                phi_3091_ = _e1825;
                             }
-                            let _e1783 = phi_3193_;
-                            phi_3195_ = _e1783;
-                            phi_3196_ = select(true, false, _e1780);
+                            let _e1855 = phi_3091_;
+                            phi_3092_ = _e1855;
                         } else {
-                            phi_3195_ = u32();
-                            phi_3196_ = true;
+                            phi_3092_ = _e1840;
                         }
-                        let _e1786 = phi_3195_;
-                        let _e1788 = phi_3196_;
-                        let _e1789 = select(_e1786, _e1768, _e1788);
-                        let _e1795 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1789) * _e1034)) ^ _e70)));
-                        if _e1048 {
-                            phi_3238_ = (((_e932.member_1.y - _e958.member[1]) / _e1047) * 1023f);
-                        } else {
-                            phi_3238_ = 0f;
-                        }
-                        let _e1806 = phi_3238_;
-                        let _e1808 = select(1023f, _e1806, (_e1806 < 1023f));
-                        let _e1810 = select(0f, _e1808, (_e1808 > 0f));
-                        let _e1815 = select(select(u32(_e1810), 0u, (_e1810 < 0f)), 4294967295u, (_e1810 > 4294967000f));
-                        if (_e1815 > 0u) {
-                            let _e1822 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1815) * _e1112)) ^ _e70)));
-                            let _e1827 = (select(select(_e961.member_1[1], _e1822, (_e1822 < _e961.member_1[1])), _e961.member_1[1], (_e1815 == 1023u)) > _e932.member_1.y);
-                            if _e1827 {
-                                phi_3289_ = (_e1815 - 1u);
+                        let _e1857 = phi_3092_;
+                        if (_e1857 > 0u) {
+                            let _e1866 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1857)) - 8388608f) * _e1425)) ^ _e74)));
+                            let _e1871 = (select(select(_e1193.member_1[2], _e1866, (_e1866 < _e1193.member_1[2])), _e1193.member_1[2], (_e1857 == 1023u)) > _e1133.member_1.z);
+                            if _e1871 {
+                                phi_3127_ = (_e1857 - 1u);
                             } else {
-                                phi_3289_ = u32();
+                                phi_3127_ = u32();
                             }
-                            let _e1830 = phi_3289_;
-                            phi_3291_ = _e1830;
-                            phi_3292_ = select(true, false, _e1827);
+                            let _e1874 = phi_3127_;
+                            phi_3129_ = _e1874;
+                            phi_3130_ = select(true, false, _e1871);
                         } else {
-                            phi_3291_ = u32();
-                            phi_3292_ = true;
+                            phi_3129_ = u32();
+                            phi_3130_ = true;
                         }
-                        let _e1833 = phi_3291_;
-                        let _e1835 = phi_3292_;
-                        if _e1835 {
-                            if (_e1815 < 1023u) {
-                                let _e1837 = (_e1815 + 1u);
-                                let _e1843 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1837) * _e1112)) ^ _e70)));
-                                phi_3330_ = select(_e1815, _e1837, (select(select(_e961.member_1[1], _e1843, (_e1843 < _e961.member_1[1])), _e961.member_1[1], (_e1837 == 1023u)) <= _e932.member_1.y));
+                        let _e1877 = phi_3129_;
+                        let _e1879 = phi_3130_;
+                        if _e1879 {
+                            if (_e1857 < 1023u) {
+                                let _e1881 = (_e1857 + 1u);
+                                let _e1889 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1881)) - 8388608f) * _e1425)) ^ _e74)));
+                                phi_3170_ = select(_e1857, _e1881, (select(select(_e1193.member_1[2], _e1889, (_e1889 < _e1193.member_1[2])), _e1193.member_1[2], (_e1881 == 1023u)) <= _e1133.member_1.z));
                             } else {
-                                phi_3330_ = _e1815;
+                                phi_3170_ = _e1857;
                             }
-                            let _e1851 = phi_3330_;
-                            phi_3331_ = _e1851;
+                            let _e1897 = phi_3170_;
+                            phi_3171_ = _e1897;
                         } else {
-                            phi_3331_ = _e1833;
+                            phi_3171_ = _e1877;
                         }
-                        let _e1853 = phi_3331_;
-                        let _e1859 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1853) * _e1112)) ^ _e70)));
-                        let _e1865 = select(_e1853, 0u, (select(select(_e961.member_1[1], _e1859, (_e1859 < _e961.member_1[1])), _e961.member_1[1], (_e1853 == 1023u)) > _e932.member_1.y));
-                        if (_e1865 < 1023u) {
-                            let _e1872 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1865) * _e1112)) ^ _e70)));
-                            let _e1877 = (select(select(_e961.member_1[1], _e1872, (_e1872 < _e961.member_1[1])), _e961.member_1[1], (_e1865 == 1023u)) < _e932.member_1.y);
-                            if _e1877 {
-                                phi_3392_ = (_e1865 + 1u);
+                        let _e1899 = phi_3171_;
+                        let _e1907 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1899)) - 8388608f) * _e1425)) ^ _e74)));
+                        let _e1913 = select(_e1899, 0u, (select(select(_e1193.member_1[2], _e1907, (_e1907 < _e1193.member_1[2])), _e1193.member_1[2], (_e1899 == 1023u)) > _e1133.member_1.z));
+                        if (_e1913 < 1023u) {
+                            let _e1922 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1913)) - 8388608f) * _e1425)) ^ _e74)));
+                            let _e1927 = (select(select(_e1193.member_1[2], _e1922, (_e1922 < _e1193.member_1[2])), _e1193.member_1[2], (_e1913 == 1023u)) < _e1133.member_1.z);
+                            if _e1927 {
+                                phi_3236_ = (_e1913 + 1u);
+                            } else {
+                                phi_3236_ = u32();
+                            }
+                            let _e1930 = phi_3236_;
+                            phi_3238_ = _e1930;
+                            phi_3239_ = select(true, false, _e1927);
+                        } else {
+                            phi_3238_ = u32();
+                            phi_3239_ = true;
+                        }
+                        let _e1933 = phi_3238_;
+                        let _e1935 = phi_3239_;
+                        let _e1936 = select(_e1933, _e1913, _e1935);
+                        let _e1944 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1936)) - 8388608f) * _e1425)) ^ _e74)));
+                        let _e1953 = ((select(_e1655, 1023u, (select(select(_e1193.member_1[0], _e1663, (_e1663 < _e1193.member_1[0])), _e1193.member_1[0], (_e1655 == 1023u)) < _e1133.member_1.x)) | (select(_e1794, 1023u, (select(select(_e1193.member_1[1], _e1802, (_e1802 < _e1193.member_1[1])), _e1193.member_1[1], (_e1794 == 1023u)) < _e1133.member_1.y)) << bitcast<u32>(10i))) | (select(_e1936, 1023u, (select(select(_e1193.member_1[2], _e1944, (_e1944 < _e1193.member_1[2])), _e1193.member_1[2], (_e1936 == 1023u)) < _e1133.member_1.z)) << bitcast<u32>(20i)));
+                        let _e1955 = (_e1164.member.x - _e1190.member[0]);
+                        if _e1207 {
+                            phi_3298_ = (_e1955 / _e1206);
+                        } else {
+                            phi_3298_ = 0f;
+                        }
+                        let _e1958 = phi_3298_;
+                        let _e1960 = select(1023f, _e1958, (_e1958 < 1023f));
+                        let _e1968 = bitcast<u32>(select(0i, select(select(i32(_e1960), i32(-2147483648), (_e1960 < -2147483600f)), 2147483647i, (_e1960 > 2147483500f)), (_e1960 == _e1960)));
+                        if (_e1968 > 0u) {
+                            let _e1977 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1968)) - 8388608f) * _e1206)) ^ _e74)) > _e1955);
+                            if _e1977 {
+                                phi_3331_ = (_e1968 - 1u);
+                            } else {
+                                phi_3331_ = u32();
+                            }
+                            let _e1980 = phi_3331_;
+                            phi_3333_ = _e1980;
+                            phi_3334_ = select(true, false, _e1977);
+                        } else {
+                            phi_3333_ = u32();
+                            phi_3334_ = true;
+                        }
+                        let _e1983 = phi_3333_;
+                        let _e1985 = phi_3334_;
+                        if _e1985 {
+                            if (_e1968 < 1023u) {
+                                let _e1987 = (_e1968 + 1u);
+                                phi_3356_ = select(_e1968, _e1987, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1987)) - 8388608f) * _e1206)) ^ _e74)) <= _e1955));
+                            } else {
+                                phi_3356_ = _e1968;
+                            }
+                            let _e1998 = phi_3356_;
+                            phi_3357_ = _e1998;
+                        } else {
+                            phi_3357_ = _e1983;
+                        }
+                        let _e2000 = phi_3357_;
+                        if (_e2000 > 0u) {
+                            let _e2009 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2000)) - 8388608f) * _e1206)) ^ _e74)));
+                            let _e2014 = (select(select(_e1193.member_1[0], _e2009, (_e2009 < _e1193.member_1[0])), _e1193.member_1[0], (_e2000 == 1023u)) > _e1164.member.x);
+                            if _e2014 {
+                                phi_3392_ = (_e2000 - 1u);
                             } else {
                                 phi_3392_ = u32();
                             }
-                            let _e1880 = phi_3392_;
-                            phi_3394_ = _e1880;
-                            phi_3395_ = select(true, false, _e1877);
+                            let _e2017 = phi_3392_;
+                            phi_3394_ = _e2017;
+                            phi_3395_ = select(true, false, _e2014);
                         } else {
                             phi_3394_ = u32();
                             phi_3395_ = true;
                         }
-                        let _e1883 = phi_3394_;
-                        let _e1885 = phi_3395_;
-                        let _e1886 = select(_e1883, _e1865, _e1885);
-                        let _e1892 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1886) * _e1112)) ^ _e70)));
-                        if _e1129 {
-                            phi_3439_ = (((_e932.member_1.z - _e958.member[2]) / _e1128) * 1023f);
-                        } else {
-                            phi_3439_ = 0f;
-                        }
-                        let _e1906 = phi_3439_;
-                        let _e1908 = select(1023f, _e1906, (_e1906 < 1023f));
-                        let _e1910 = select(0f, _e1908, (_e1908 > 0f));
-                        let _e1915 = select(select(u32(_e1910), 0u, (_e1910 < 0f)), 4294967295u, (_e1910 > 4294967000f));
-                        if (_e1915 > 0u) {
-                            let _e1922 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1915) * _e1193)) ^ _e70)));
-                            let _e1927 = (select(select(_e961.member_1[2], _e1922, (_e1922 < _e961.member_1[2])), _e961.member_1[2], (_e1915 == 1023u)) > _e932.member_1.z);
-                            if _e1927 {
-                                phi_3490_ = (_e1915 - 1u);
+                        let _e2020 = phi_3394_;
+                        let _e2022 = phi_3395_;
+                        if _e2022 {
+                            if (_e2000 < 1023u) {
+                                let _e2024 = (_e2000 + 1u);
+                                let _e2032 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2024)) - 8388608f) * _e1206)) ^ _e74)));
+                                phi_3435_ = select(_e2000, _e2024, (select(select(_e1193.member_1[0], _e2032, (_e2032 < _e1193.member_1[0])), _e1193.member_1[0], (_e2024 == 1023u)) <= _e1164.member.x));
                             } else {
-                                phi_3490_ = u32();
+                                phi_3435_ = _e2000;
                             }
-                            let _e1930 = phi_3490_;
-                            phi_3492_ = _e1930;
-                            phi_3493_ = select(true, false, _e1927);
+                            let _e2040 = phi_3435_;
+                            phi_3436_ = _e2040;
                         } else {
-                            phi_3492_ = u32();
-                            phi_3493_ = true;
+                            phi_3436_ = _e2020;
                         }
-                        let _e1933 = phi_3492_;
-                        let _e1935 = phi_3493_;
-                        if _e1935 {
-                            if (_e1915 < 1023u) {
-                                let _e1937 = (_e1915 + 1u);
-                                let _e1943 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1937) * _e1193)) ^ _e70)));
-                                phi_3531_ = select(_e1915, _e1937, (select(select(_e961.member_1[2], _e1943, (_e1943 < _e961.member_1[2])), _e961.member_1[2], (_e1937 == 1023u)) <= _e932.member_1.z));
+                        let _e2042 = phi_3436_;
+                        let _e2050 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2042)) - 8388608f) * _e1206)) ^ _e74)));
+                        let _e2057 = (_e1164.member.y - _e1190.member[1]);
+                        if _e1315 {
+                            phi_3480_ = (_e2057 / _e1314);
+                        } else {
+                            phi_3480_ = 0f;
+                        }
+                        let _e2060 = phi_3480_;
+                        let _e2062 = select(1023f, _e2060, (_e2060 < 1023f));
+                        let _e2070 = bitcast<u32>(select(0i, select(select(i32(_e2062), i32(-2147483648), (_e2062 < -2147483600f)), 2147483647i, (_e2062 > 2147483500f)), (_e2062 == _e2062)));
+                        if (_e2070 > 0u) {
+                            let _e2079 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2070)) - 8388608f) * _e1314)) ^ _e74)) > _e2057);
+                            if _e2079 {
+                                phi_3513_ = (_e2070 - 1u);
                             } else {
-                                phi_3531_ = _e1915;
+                                phi_3513_ = u32();
                             }
-                            let _e1951 = phi_3531_;
-                            phi_3532_ = _e1951;
+                            let _e2082 = phi_3513_;
+                            phi_3515_ = _e2082;
+                            phi_3516_ = select(true, false, _e2079);
                         } else {
-                            phi_3532_ = _e1933;
+                            phi_3515_ = u32();
+                            phi_3516_ = true;
                         }
-                        let _e1953 = phi_3532_;
-                        let _e1959 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1953) * _e1193)) ^ _e70)));
-                        let _e1965 = select(_e1953, 0u, (select(select(_e961.member_1[2], _e1959, (_e1959 < _e961.member_1[2])), _e961.member_1[2], (_e1953 == 1023u)) > _e932.member_1.z));
-                        if (_e1965 < 1023u) {
-                            let _e1972 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1965) * _e1193)) ^ _e70)));
-                            let _e1977 = (select(select(_e961.member_1[2], _e1972, (_e1972 < _e961.member_1[2])), _e961.member_1[2], (_e1965 == 1023u)) < _e932.member_1.z);
-                            if _e1977 {
-                                phi_3593_ = (_e1965 + 1u);
+                        let _e2085 = phi_3515_;
+                        let _e2087 = phi_3516_;
+                        if _e2087 {
+                            if (_e2070 < 1023u) {
+                                let _e2089 = (_e2070 + 1u);
+                                phi_3538_ = select(_e2070, _e2089, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2089)) - 8388608f) * _e1314)) ^ _e74)) <= _e2057));
                             } else {
-                                phi_3593_ = u32();
+                                phi_3538_ = _e2070;
                             }
-                            let _e1980 = phi_3593_;
-                            phi_3595_ = _e1980;
-                            phi_3596_ = select(true, false, _e1977);
+                            let _e2100 = phi_3538_;
+                            phi_3539_ = _e2100;
                         } else {
-                            phi_3595_ = u32();
-                            phi_3596_ = true;
+                            phi_3539_ = _e2085;
                         }
-                        let _e1983 = phi_3595_;
-                        let _e1985 = phi_3596_;
-                        let _e1986 = select(_e1983, _e1965, _e1985);
-                        let _e1992 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1986) * _e1193)) ^ _e70)));
-                        let _e2001 = ((select(_e1789, 1023u, (select(select(_e961.member_1[0], _e1795, (_e1795 < _e961.member_1[0])), _e961.member_1[0], (_e1789 == 1023u)) < _e932.member_1.x)) | (select(_e1886, 1023u, (select(select(_e961.member_1[1], _e1892, (_e1892 < _e961.member_1[1])), _e961.member_1[1], (_e1886 == 1023u)) < _e932.member_1.y)) << bitcast<u32>(10i))) | (select(_e1986, 1023u, (select(select(_e961.member_1[2], _e1992, (_e1992 < _e961.member_1[2])), _e961.member_1[2], (_e1986 == 1023u)) < _e932.member_1.z)) << bitcast<u32>(20i)));
-                        let _e2004 = (_e1208 & 1023u);
-                        let _e2010 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e2004) * _e1034)) ^ _e70)));
-                        let _e2014 = select(select(_e961.member_1[0], _e2010, (_e2010 < _e961.member_1[0])), _e961.member_1[0], (_e2004 == 1023u));
-                        let _e2017 = ((_e1208 >> bitcast<u32>(10u)) & 1023u);
-                        let _e2023 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e2017) * _e1112)) ^ _e70)));
-                        let _e2027 = select(select(_e961.member_1[1], _e2023, (_e2023 < _e961.member_1[1])), _e961.member_1[1], (_e2017 == 1023u));
-                        let _e2030 = ((_e1208 >> bitcast<u32>(20u)) & 1023u);
-                        let _e2036 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e2030) * _e1193)) ^ _e70)));
-                        let _e2040 = select(select(_e961.member_1[2], _e2036, (_e2036 < _e961.member_1[2])), _e961.member_1[2], (_e2030 == 1023u));
-                        let _e2041 = (_e1505 & 1023u);
-                        let _e2047 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e2041) * _e1034)) ^ _e70)));
-                        let _e2051 = select(select(_e961.member_1[0], _e2047, (_e2047 < _e961.member_1[0])), _e961.member_1[0], (_e2041 == 1023u));
-                        let _e2054 = ((_e1505 >> bitcast<u32>(10u)) & 1023u);
-                        let _e2060 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e2054) * _e1112)) ^ _e70)));
-                        let _e2064 = select(select(_e961.member_1[1], _e2060, (_e2060 < _e961.member_1[1])), _e961.member_1[1], (_e2054 == 1023u));
-                        let _e2067 = ((_e1505 >> bitcast<u32>(20u)) & 1023u);
-                        let _e2073 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e2067) * _e1193)) ^ _e70)));
-                        let _e2077 = select(select(_e961.member_1[2], _e2073, (_e2073 < _e961.member_1[2])), _e961.member_1[2], (_e2067 == 1023u));
-                        let _e2078 = (_e1704 & 1023u);
-                        let _e2084 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e2078) * _e1034)) ^ _e70)));
-                        let _e2088 = select(select(_e961.member_1[0], _e2084, (_e2084 < _e961.member_1[0])), _e961.member_1[0], (_e2078 == 1023u));
-                        let _e2091 = ((_e1704 >> bitcast<u32>(10u)) & 1023u);
-                        let _e2097 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e2091) * _e1112)) ^ _e70)));
-                        let _e2101 = select(select(_e961.member_1[1], _e2097, (_e2097 < _e961.member_1[1])), _e961.member_1[1], (_e2091 == 1023u));
-                        let _e2104 = ((_e1704 >> bitcast<u32>(20u)) & 1023u);
-                        let _e2110 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e2104) * _e1193)) ^ _e70)));
-                        let _e2114 = select(select(_e961.member_1[2], _e2110, (_e2110 < _e961.member_1[2])), _e961.member_1[2], (_e2104 == 1023u));
-                        let _e2115 = (_e2001 & 1023u);
-                        let _e2121 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e2115) * _e1034)) ^ _e70)));
-                        let _e2125 = select(select(_e961.member_1[0], _e2121, (_e2121 < _e961.member_1[0])), _e961.member_1[0], (_e2115 == 1023u));
-                        let _e2128 = ((_e2001 >> bitcast<u32>(10u)) & 1023u);
-                        let _e2134 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e2128) * _e1112)) ^ _e70)));
-                        let _e2138 = select(select(_e961.member_1[1], _e2134, (_e2134 < _e961.member_1[1])), _e961.member_1[1], (_e2128 == 1023u));
-                        let _e2141 = ((_e2001 >> bitcast<u32>(20u)) & 1023u);
-                        let _e2147 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e2141) * _e1193)) ^ _e70)));
-                        let _e2151 = select(select(_e961.member_1[2], _e2147, (_e2147 < _e961.member_1[2])), _e961.member_1[2], (_e2141 == 1023u));
-                        if _e67 {
+                        let _e2102 = phi_3539_;
+                        if (_e2102 > 0u) {
+                            let _e2111 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2102)) - 8388608f) * _e1314)) ^ _e74)));
+                            let _e2116 = (select(select(_e1193.member_1[1], _e2111, (_e2111 < _e1193.member_1[1])), _e1193.member_1[1], (_e2102 == 1023u)) > _e1164.member.y);
+                            if _e2116 {
+                                phi_3574_ = (_e2102 - 1u);
+                            } else {
+                                phi_3574_ = u32();
+                            }
+                            let _e2119 = phi_3574_;
+                            phi_3576_ = _e2119;
+                            phi_3577_ = select(true, false, _e2116);
+                        } else {
+                            phi_3576_ = u32();
+                            phi_3577_ = true;
+                        }
+                        let _e2122 = phi_3576_;
+                        let _e2124 = phi_3577_;
+                        if _e2124 {
+                            if (_e2102 < 1023u) {
+                                let _e2126 = (_e2102 + 1u);
+                                let _e2134 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2126)) - 8388608f) * _e1314)) ^ _e74)));
+                                phi_3617_ = select(_e2102, _e2126, (select(select(_e1193.member_1[1], _e2134, (_e2134 < _e1193.member_1[1])), _e1193.member_1[1], (_e2126 == 1023u)) <= _e1164.member.y));
+                            } else {
+                                phi_3617_ = _e2102;
+                            }
+                            let _e2142 = phi_3617_;
+                            phi_3618_ = _e2142;
+                        } else {
+                            phi_3618_ = _e2122;
+                        }
+                        let _e2144 = phi_3618_;
+                        let _e2152 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2144)) - 8388608f) * _e1314)) ^ _e74)));
+                        let _e2162 = (_e1164.member.z - _e1190.member[2]);
+                        if _e1426 {
+                            phi_3664_ = (_e2162 / _e1425);
+                        } else {
+                            phi_3664_ = 0f;
+                        }
+                        let _e2165 = phi_3664_;
+                        let _e2167 = select(1023f, _e2165, (_e2165 < 1023f));
+                        let _e2175 = bitcast<u32>(select(0i, select(select(i32(_e2167), i32(-2147483648), (_e2167 < -2147483600f)), 2147483647i, (_e2167 > 2147483500f)), (_e2167 == _e2167)));
+                        if (_e2175 > 0u) {
+                            let _e2184 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2175)) - 8388608f) * _e1425)) ^ _e74)) > _e2162);
+                            if _e2184 {
+                                phi_3697_ = (_e2175 - 1u);
+                            } else {
+                                phi_3697_ = u32();
+                            }
+                            let _e2187 = phi_3697_;
+                            phi_3699_ = _e2187;
+                            phi_3700_ = select(true, false, _e2184);
+                        } else {
+                            phi_3699_ = u32();
+                            phi_3700_ = true;
+                        }
+                        let _e2190 = phi_3699_;
+                        let _e2192 = phi_3700_;
+                        if _e2192 {
+                            if (_e2175 < 1023u) {
+                                let _e2194 = (_e2175 + 1u);
+                                phi_3722_ = select(_e2175, _e2194, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2194)) - 8388608f) * _e1425)) ^ _e74)) <= _e2162));
+                            } else {
+                                phi_3722_ = _e2175;
+                            }
+                            let _e2205 = phi_3722_;
+                            phi_3723_ = _e2205;
+                        } else {
+                            phi_3723_ = _e2190;
+                        }
+                        let _e2207 = phi_3723_;
+                        if (_e2207 > 0u) {
+                            let _e2216 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2207)) - 8388608f) * _e1425)) ^ _e74)));
+                            let _e2221 = (select(select(_e1193.member_1[2], _e2216, (_e2216 < _e1193.member_1[2])), _e1193.member_1[2], (_e2207 == 1023u)) > _e1164.member.z);
+                            if _e2221 {
+                                phi_3758_ = (_e2207 - 1u);
+                            } else {
+                                phi_3758_ = u32();
+                            }
+                            let _e2224 = phi_3758_;
+                            phi_3760_ = _e2224;
+                            phi_3761_ = select(true, false, _e2221);
+                        } else {
+                            phi_3760_ = u32();
+                            phi_3761_ = true;
+                        }
+                        let _e2227 = phi_3760_;
+                        let _e2229 = phi_3761_;
+                        if _e2229 {
+                            if (_e2207 < 1023u) {
+                                let _e2231 = (_e2207 + 1u);
+                                let _e2239 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2231)) - 8388608f) * _e1425)) ^ _e74)));
+                                phi_3801_ = select(_e2207, _e2231, (select(select(_e1193.member_1[2], _e2239, (_e2239 < _e1193.member_1[2])), _e1193.member_1[2], (_e2231 == 1023u)) <= _e1164.member.z));
+                            } else {
+                                phi_3801_ = _e2207;
+                            }
+                            let _e2247 = phi_3801_;
+                            phi_3802_ = _e2247;
+                        } else {
+                            phi_3802_ = _e2227;
+                        }
+                        let _e2249 = phi_3802_;
+                        let _e2257 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2249)) - 8388608f) * _e1425)) ^ _e74)));
+                        let _e2266 = ((select(_e2042, 0u, (select(select(_e1193.member_1[0], _e2050, (_e2050 < _e1193.member_1[0])), _e1193.member_1[0], (_e2042 == 1023u)) > _e1164.member.x)) | (select(_e2144, 0u, (select(select(_e1193.member_1[1], _e2152, (_e2152 < _e1193.member_1[1])), _e1193.member_1[1], (_e2144 == 1023u)) > _e1164.member.y)) << bitcast<u32>(10i))) | (select(_e2249, 0u, (select(select(_e1193.member_1[2], _e2257, (_e2257 < _e1193.member_1[2])), _e1193.member_1[2], (_e2249 == 1023u)) > _e1164.member.z)) << bitcast<u32>(20i)));
+                        let _e2267 = (_e1164.member_1.x - _e1190.member[0]);
+                        if _e1207 {
+                            phi_3848_ = (_e2267 / _e1206);
+                        } else {
+                            phi_3848_ = 0f;
+                        }
+                        let _e2270 = phi_3848_;
+                        let _e2272 = select(1023f, _e2270, (_e2270 < 1023f));
+                        let _e2280 = bitcast<u32>(select(0i, select(select(i32(_e2272), i32(-2147483648), (_e2272 < -2147483600f)), 2147483647i, (_e2272 > 2147483500f)), (_e2272 == _e2272)));
+                        if (_e2280 > 0u) {
+                            let _e2289 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2280)) - 8388608f) * _e1206)) ^ _e74)) > _e2267);
+                            if _e2289 {
+                                phi_3881_ = (_e2280 - 1u);
+                            } else {
+                                phi_3881_ = u32();
+                            }
+                            let _e2292 = phi_3881_;
+                            phi_3883_ = _e2292;
+                            phi_3884_ = select(true, false, _e2289);
+                        } else {
+                            phi_3883_ = u32();
+                            phi_3884_ = true;
+                        }
+                        let _e2295 = phi_3883_;
+                        let _e2297 = phi_3884_;
+                        if _e2297 {
+                            if (_e2280 < 1023u) {
+                                let _e2299 = (_e2280 + 1u);
+                                phi_3906_ = select(_e2280, _e2299, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2299)) - 8388608f) * _e1206)) ^ _e74)) <= _e2267));
+                            } else {
+                                phi_3906_ = _e2280;
+                            }
+                            let _e2310 = phi_3906_;
+                            phi_3907_ = _e2310;
+                        } else {
+                            phi_3907_ = _e2295;
+                        }
+                        let _e2312 = phi_3907_;
+                        if (_e2312 > 0u) {
+                            let _e2321 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2312)) - 8388608f) * _e1206)) ^ _e74)));
+                            let _e2326 = (select(select(_e1193.member_1[0], _e2321, (_e2321 < _e1193.member_1[0])), _e1193.member_1[0], (_e2312 == 1023u)) > _e1164.member_1.x);
+                            if _e2326 {
+                                phi_3942_ = (_e2312 - 1u);
+                            } else {
+                                phi_3942_ = u32();
+                            }
+                            let _e2329 = phi_3942_;
+                            phi_3944_ = _e2329;
+                            phi_3945_ = select(true, false, _e2326);
+                        } else {
+                            phi_3944_ = u32();
+                            phi_3945_ = true;
+                        }
+                        let _e2332 = phi_3944_;
+                        let _e2334 = phi_3945_;
+                        if _e2334 {
+                            if (_e2312 < 1023u) {
+                                let _e2336 = (_e2312 + 1u);
+                                let _e2344 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2336)) - 8388608f) * _e1206)) ^ _e74)));
+                                phi_3985_ = select(_e2312, _e2336, (select(select(_e1193.member_1[0], _e2344, (_e2344 < _e1193.member_1[0])), _e1193.member_1[0], (_e2336 == 1023u)) <= _e1164.member_1.x));
+                            } else {
+                                phi_3985_ = _e2312;
+                            }
+                            let _e2352 = phi_3985_;
+                            phi_3986_ = _e2352;
+                        } else {
+                            phi_3986_ = _e2332;
+                        }
+                        let _e2354 = phi_3986_;
+                        let _e2362 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2354)) - 8388608f) * _e1206)) ^ _e74)));
+                        let _e2368 = select(_e2354, 0u, (select(select(_e1193.member_1[0], _e2362, (_e2362 < _e1193.member_1[0])), _e1193.member_1[0], (_e2354 == 1023u)) > _e1164.member_1.x));
+                        if (_e2368 < 1023u) {
+                            let _e2377 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2368)) - 8388608f) * _e1206)) ^ _e74)));
+                            let _e2382 = (select(select(_e1193.member_1[0], _e2377, (_e2377 < _e1193.member_1[0])), _e1193.member_1[0], (_e2368 == 1023u)) < _e1164.member_1.x);
+                            if _e2382 {
+                                phi_4051_ = (_e2368 + 1u);
+                            } else {
+                                phi_4051_ = u32();
+                            }
+                            let _e2385 = phi_4051_;
+                            phi_4053_ = _e2385;
+                            phi_4054_ = select(true, false, _e2382);
+                        } else {
+                            phi_4053_ = u32();
+                            phi_4054_ = true;
+                        }
+                        let _e2388 = phi_4053_;
+                        let _e2390 = phi_4054_;
+                        let _e2391 = select(_e2388, _e2368, _e2390);
+                        let _e2399 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2391)) - 8388608f) * _e1206)) ^ _e74)));
+                        let _e2406 = (_e1164.member_1.y - _e1190.member[1]);
+                        if _e1315 {
+                            phi_4102_ = (_e2406 / _e1314);
+                        } else {
+                            phi_4102_ = 0f;
+                        }
+                        let _e2409 = phi_4102_;
+                        let _e2411 = select(1023f, _e2409, (_e2409 < 1023f));
+                        let _e2419 = bitcast<u32>(select(0i, select(select(i32(_e2411), i32(-2147483648), (_e2411 < -2147483600f)), 2147483647i, (_e2411 > 2147483500f)), (_e2411 == _e2411)));
+                        if (_e2419 > 0u) {
+                            let _e2428 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2419)) - 8388608f) * _e1314)) ^ _e74)) > _e2406);
+                            if _e2428 {
+                                phi_4135_ = (_e2419 - 1u);
+                            } else {
+                                phi_4135_ = u32();
+                            }
+                            let _e2431 = phi_4135_;
+                            phi_4137_ = _e2431;
+                            phi_4138_ = select(true, false, _e2428);
+                        } else {
+                            phi_4137_ = u32();
+                            phi_4138_ = true;
+                        }
+                        let _e2434 = phi_4137_;
+                        let _e2436 = phi_4138_;
+                        if _e2436 {
+                            if (_e2419 < 1023u) {
+                                let _e2438 = (_e2419 + 1u);
+                                phi_4160_ = select(_e2419, _e2438, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2438)) - 8388608f) * _e1314)) ^ _e74)) <= _e2406));
+                            } else {
+                                phi_4160_ = _e2419;
+                            }
+                            let _e2449 = phi_4160_;
+                            phi_4161_ = _e2449;
+                        } else {
+                            phi_4161_ = _e2434;
+                        }
+                        let _e2451 = phi_4161_;
+                        if (_e2451 > 0u) {
+                            let _e2460 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2451)) - 8388608f) * _e1314)) ^ _e74)));
+                            let _e2465 = (select(select(_e1193.member_1[1], _e2460, (_e2460 < _e1193.member_1[1])), _e1193.member_1[1], (_e2451 == 1023u)) > _e1164.member_1.y);
+                            if _e2465 {
+                                phi_4196_ = (_e2451 - 1u);
+                            } else {
+                                phi_4196_ = u32();
+                            }
+                            let _e2468 = phi_4196_;
+                            phi_4198_ = _e2468;
+                            phi_4199_ = select(true, false, _e2465);
+                        } else {
+                            phi_4198_ = u32();
+                            phi_4199_ = true;
+                        }
+                        let _e2471 = phi_4198_;
+                        let _e2473 = phi_4199_;
+                        if _e2473 {
+                            if (_e2451 < 1023u) {
+                                let _e2475 = (_e2451 + 1u);
+                                let _e2483 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2475)) - 8388608f) * _e1314)) ^ _e74)));
+                                phi_4239_ = select(_e2451, _e2475, (select(select(_e1193.member_1[1], _e2483, (_e2483 < _e1193.member_1[1])), _e1193.member_1[1], (_e2475 == 1023u)) <= _e1164.member_1.y));
+                            } else {
+                                phi_4239_ = _e2451;
+                            }
+                            let _e2491 = phi_4239_;
+                            phi_4240_ = _e2491;
+                        } else {
+                            phi_4240_ = _e2471;
+                        }
+                        let _e2493 = phi_4240_;
+                        let _e2501 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2493)) - 8388608f) * _e1314)) ^ _e74)));
+                        let _e2507 = select(_e2493, 0u, (select(select(_e1193.member_1[1], _e2501, (_e2501 < _e1193.member_1[1])), _e1193.member_1[1], (_e2493 == 1023u)) > _e1164.member_1.y));
+                        if (_e2507 < 1023u) {
+                            let _e2516 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2507)) - 8388608f) * _e1314)) ^ _e74)));
+                            let _e2521 = (select(select(_e1193.member_1[1], _e2516, (_e2516 < _e1193.member_1[1])), _e1193.member_1[1], (_e2507 == 1023u)) < _e1164.member_1.y);
+                            if _e2521 {
+                                phi_4305_ = (_e2507 + 1u);
+                            } else {
+                                phi_4305_ = u32();
+                            }
+                            let _e2524 = phi_4305_;
+                            phi_4307_ = _e2524;
+                            phi_4308_ = select(true, false, _e2521);
+                        } else {
+                            phi_4307_ = u32();
+                            phi_4308_ = true;
+                        }
+                        let _e2527 = phi_4307_;
+                        let _e2529 = phi_4308_;
+                        let _e2530 = select(_e2527, _e2507, _e2529);
+                        let _e2538 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2530)) - 8388608f) * _e1314)) ^ _e74)));
+                        let _e2548 = (_e1164.member_1.z - _e1190.member[2]);
+                        if _e1426 {
+                            phi_4358_ = (_e2548 / _e1425);
+                        } else {
+                            phi_4358_ = 0f;
+                        }
+                        let _e2551 = phi_4358_;
+                        let _e2553 = select(1023f, _e2551, (_e2551 < 1023f));
+                        let _e2561 = bitcast<u32>(select(0i, select(select(i32(_e2553), i32(-2147483648), (_e2553 < -2147483600f)), 2147483647i, (_e2553 > 2147483500f)), (_e2553 == _e2553)));
+                        if (_e2561 > 0u) {
+                            let _e2570 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2561)) - 8388608f) * _e1425)) ^ _e74)) > _e2548);
+                            if _e2570 {
+                                phi_4391_ = (_e2561 - 1u);
+                            } else {
+                                phi_4391_ = u32();
+                            }
+                            let _e2573 = phi_4391_;
+                            phi_4393_ = _e2573;
+                            phi_4394_ = select(true, false, _e2570);
+                        } else {
+                            phi_4393_ = u32();
+                            phi_4394_ = true;
+                        }
+                        let _e2576 = phi_4393_;
+                        let _e2578 = phi_4394_;
+                        if _e2578 {
+                            if (_e2561 < 1023u) {
+                                let _e2580 = (_e2561 + 1u);
+                                phi_4416_ = select(_e2561, _e2580, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2580)) - 8388608f) * _e1425)) ^ _e74)) <= _e2548));
+                            } else {
+                                phi_4416_ = _e2561;
+                            }
+                            let _e2591 = phi_4416_;
+                            phi_4417_ = _e2591;
+                        } else {
+                            phi_4417_ = _e2576;
+                        }
+                        let _e2593 = phi_4417_;
+                        if (_e2593 > 0u) {
+                            let _e2602 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2593)) - 8388608f) * _e1425)) ^ _e74)));
+                            let _e2607 = (select(select(_e1193.member_1[2], _e2602, (_e2602 < _e1193.member_1[2])), _e1193.member_1[2], (_e2593 == 1023u)) > _e1164.member_1.z);
+                            if _e2607 {
+                                phi_4452_ = (_e2593 - 1u);
+                            } else {
+                                phi_4452_ = u32();
+                            }
+                            let _e2610 = phi_4452_;
+                            phi_4454_ = _e2610;
+                            phi_4455_ = select(true, false, _e2607);
+                        } else {
+                            phi_4454_ = u32();
+                            phi_4455_ = true;
+                        }
+                        let _e2613 = phi_4454_;
+                        let _e2615 = phi_4455_;
+                        if _e2615 {
+                            if (_e2593 < 1023u) {
+                                let _e2617 = (_e2593 + 1u);
+                                let _e2625 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2617)) - 8388608f) * _e1425)) ^ _e74)));
+                                phi_4495_ = select(_e2593, _e2617, (select(select(_e1193.member_1[2], _e2625, (_e2625 < _e1193.member_1[2])), _e1193.member_1[2], (_e2617 == 1023u)) <= _e1164.member_1.z));
+                            } else {
+                                phi_4495_ = _e2593;
+                            }
+                            let _e2633 = phi_4495_;
+                            phi_4496_ = _e2633;
+                        } else {
+                            phi_4496_ = _e2613;
+                        }
+                        let _e2635 = phi_4496_;
+                        let _e2643 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2635)) - 8388608f) * _e1425)) ^ _e74)));
+                        let _e2649 = select(_e2635, 0u, (select(select(_e1193.member_1[2], _e2643, (_e2643 < _e1193.member_1[2])), _e1193.member_1[2], (_e2635 == 1023u)) > _e1164.member_1.z));
+                        if (_e2649 < 1023u) {
+                            let _e2658 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2649)) - 8388608f) * _e1425)) ^ _e74)));
+                            let _e2663 = (select(select(_e1193.member_1[2], _e2658, (_e2658 < _e1193.member_1[2])), _e1193.member_1[2], (_e2649 == 1023u)) < _e1164.member_1.z);
+                            if _e2663 {
+                                phi_4561_ = (_e2649 + 1u);
+                            } else {
+                                phi_4561_ = u32();
+                            }
+                            let _e2666 = phi_4561_;
+                            phi_4563_ = _e2666;
+                            phi_4564_ = select(true, false, _e2663);
+                        } else {
+                            phi_4563_ = u32();
+                            phi_4564_ = true;
+                        }
+                        let _e2669 = phi_4563_;
+                        let _e2671 = phi_4564_;
+                        let _e2672 = select(_e2669, _e2649, _e2671);
+                        let _e2680 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2672)) - 8388608f) * _e1425)) ^ _e74)));
+                        let _e2689 = ((select(_e2391, 1023u, (select(select(_e1193.member_1[0], _e2399, (_e2399 < _e1193.member_1[0])), _e1193.member_1[0], (_e2391 == 1023u)) < _e1164.member_1.x)) | (select(_e2530, 1023u, (select(select(_e1193.member_1[1], _e2538, (_e2538 < _e1193.member_1[1])), _e1193.member_1[1], (_e2530 == 1023u)) < _e1164.member_1.y)) << bitcast<u32>(10i))) | (select(_e2672, 1023u, (select(select(_e1193.member_1[2], _e2680, (_e2680 < _e1193.member_1[2])), _e1193.member_1[2], (_e2672 == 1023u)) < _e1164.member_1.z)) << bitcast<u32>(20i)));
+                        let _e2692 = (_e1530 & 1023u);
+                        let _e2700 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2692)) - 8388608f) * _e1206)) ^ _e74)));
+                        let _e2704 = select(select(_e1193.member_1[0], _e2700, (_e2700 < _e1193.member_1[0])), _e1193.member_1[0], (_e2692 == 1023u));
+                        let _e2707 = ((_e1530 >> bitcast<u32>(10u)) & 1023u);
+                        let _e2715 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2707)) - 8388608f) * _e1314)) ^ _e74)));
+                        let _e2719 = select(select(_e1193.member_1[1], _e2715, (_e2715 < _e1193.member_1[1])), _e1193.member_1[1], (_e2707 == 1023u));
+                        let _e2722 = ((_e1530 >> bitcast<u32>(20u)) & 1023u);
+                        let _e2730 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2722)) - 8388608f) * _e1425)) ^ _e74)));
+                        let _e2734 = select(select(_e1193.member_1[2], _e2730, (_e2730 < _e1193.member_1[2])), _e1193.member_1[2], (_e2722 == 1023u));
+                        let _e2735 = (_e1953 & 1023u);
+                        let _e2743 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2735)) - 8388608f) * _e1206)) ^ _e74)));
+                        let _e2747 = select(select(_e1193.member_1[0], _e2743, (_e2743 < _e1193.member_1[0])), _e1193.member_1[0], (_e2735 == 1023u));
+                        let _e2750 = ((_e1953 >> bitcast<u32>(10u)) & 1023u);
+                        let _e2758 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2750)) - 8388608f) * _e1314)) ^ _e74)));
+                        let _e2762 = select(select(_e1193.member_1[1], _e2758, (_e2758 < _e1193.member_1[1])), _e1193.member_1[1], (_e2750 == 1023u));
+                        let _e2765 = ((_e1953 >> bitcast<u32>(20u)) & 1023u);
+                        let _e2773 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2765)) - 8388608f) * _e1425)) ^ _e74)));
+                        let _e2777 = select(select(_e1193.member_1[2], _e2773, (_e2773 < _e1193.member_1[2])), _e1193.member_1[2], (_e2765 == 1023u));
+                        let _e2778 = (_e2266 & 1023u);
+                        let _e2786 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2778)) - 8388608f) * _e1206)) ^ _e74)));
+                        let _e2790 = select(select(_e1193.member_1[0], _e2786, (_e2786 < _e1193.member_1[0])), _e1193.member_1[0], (_e2778 == 1023u));
+                        let _e2793 = ((_e2266 >> bitcast<u32>(10u)) & 1023u);
+                        let _e2801 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2793)) - 8388608f) * _e1314)) ^ _e74)));
+                        let _e2805 = select(select(_e1193.member_1[1], _e2801, (_e2801 < _e1193.member_1[1])), _e1193.member_1[1], (_e2793 == 1023u));
+                        let _e2808 = ((_e2266 >> bitcast<u32>(20u)) & 1023u);
+                        let _e2816 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2808)) - 8388608f) * _e1425)) ^ _e74)));
+                        let _e2820 = select(select(_e1193.member_1[2], _e2816, (_e2816 < _e1193.member_1[2])), _e1193.member_1[2], (_e2808 == 1023u));
+                        let _e2821 = (_e2689 & 1023u);
+                        let _e2829 = (_e1190.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2821)) - 8388608f) * _e1206)) ^ _e74)));
+                        let _e2833 = select(select(_e1193.member_1[0], _e2829, (_e2829 < _e1193.member_1[0])), _e1193.member_1[0], (_e2821 == 1023u));
+                        let _e2836 = ((_e2689 >> bitcast<u32>(10u)) & 1023u);
+                        let _e2844 = (_e1190.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2836)) - 8388608f) * _e1314)) ^ _e74)));
+                        let _e2848 = select(select(_e1193.member_1[1], _e2844, (_e2844 < _e1193.member_1[1])), _e1193.member_1[1], (_e2836 == 1023u));
+                        let _e2851 = ((_e2689 >> bitcast<u32>(20u)) & 1023u);
+                        let _e2859 = (_e1190.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2851)) - 8388608f) * _e1425)) ^ _e74)));
+                        let _e2863 = select(select(_e1193.member_1[2], _e2859, (_e2859 < _e1193.member_1[2])), _e1193.member_1[2], (_e2851 == 1023u));
+                        if _e71 {
                         } else {
                             break;
                         }
-                        global_5.member[_e61] = type_37(array<u32, 2>(_e1208, _e1505), array<u32, 2>(_e1704, _e2001), _e874, _e905);
-                        if _e66 {
+                        global_5.member[_e65] = type_37(array<u32, 2>(_e1530, _e1953), array<u32, 2>(_e2266, _e2689), _e1106, _e1137);
+                        if _e70 {
                         } else {
                             break;
                         }
-                        if ((_e874 & 2147483648u) != 0u) {
-                            phi_4018_ = type_4(0u, ((_e874 >> bitcast<u32>(28u)) & 7u));
+                        if ((_e1106 & 2147483648u) != 0u) {
+                            phi_5012_ = type_4(0u, ((_e1106 >> bitcast<u32>(28u)) & 7u));
                             loop {
-                                let _e2161 = phi_4018_;
-                                if (_e2161.member < _e2161.member_1) {
-                                    phi_4019_ = type_4((_e2161.member + 1u), _e2161.member_1);
-                                    phi_4042_ = type_4(1u, _e2161.member);
+                                let _e2873 = phi_5012_;
+                                if (_e2873.member < _e2873.member_1) {
+                                    phi_5013_ = type_4((_e2873.member + 1u), _e2873.member_1);
+                                    phi_5036_ = type_4(1u, _e2873.member);
                                 } else {
-                                    phi_4019_ = _e2161;
-                                    phi_4042_ = type_4(0u, type_4().member_1);
+                                    phi_5013_ = _e2873;
+                                    phi_5036_ = type_4(0u, type_4().member_1);
                                 }
-                                let _e2174 = phi_4019_;
-                                let _e2176 = phi_4042_;
-                                let _e2180 = (bitcast<i32>(_e2176.member) != 0i);
-                                if _e2180 {
-                                    let _e2182 = ((_e874 & 268435455u) + _e2176.member_1);
-                                    let _e2183 = (_e2182 < _e51);
-                                    if _e2183 {
-                                        let _e2184 = (_e2182 < _e55);
-                                        if _e2184 {
-                                            if _e2183 {
+                                let _e2886 = phi_5013_;
+                                let _e2888 = phi_5036_;
+                                let _e2892 = (bitcast<i32>(_e2888.member) != 0i);
+                                if _e2892 {
+                                    let _e2894 = ((_e1106 & 268435455u) + _e2888.member_1);
+                                    let _e2895 = (_e2894 < _e55);
+                                    if _e2895 {
+                                        let _e2896 = (_e2894 < _e59);
+                                        if _e2896 {
+                                            if _e2895 {
                                             } else {
-                                                phi_7927_ = true;
+                                                phi_9935_ = true;
                                                 break;
                                             }
-                                            let _e2189 = global_2.member[_e2182].member[0u];
-                                            let _e2194 = global_2.member[_e2182].member[1u];
-                                            let _e2199 = global_2.member[_e2182].member[2u];
-                                            let _e2200 = (_e2051 - _e2014);
-                                            let _e2201 = (_e2200 > 0f);
-                                            if _e2201 {
-                                                phi_4081_ = (((_e2189 - _e2014) / _e2200) * 1023f);
+                                            let _e2901 = global_2.member[_e2894].member[0u];
+                                            let _e2906 = global_2.member[_e2894].member[1u];
+                                            let _e2911 = global_2.member[_e2894].member[2u];
+                                            let _e2912 = (_e2901 - _e2704);
+                                            let _e2917 = bitcast<f32>((bitcast<u32>(((_e2747 - _e2704) * 0.0009775171f)) ^ _e74));
+                                            let _e2918 = (_e2917 > 0f);
+                                            if _e2918 {
+                                                phi_5079_ = (_e2912 / _e2917);
                                             } else {
-                                                phi_4081_ = 0f;
+                                                phi_5079_ = 0f;
                                             }
-                                            let _e2206 = phi_4081_;
-                                            let _e2208 = select(1023f, _e2206, (_e2206 < 1023f));
-                                            let _e2210 = select(0f, _e2208, (_e2208 > 0f));
-                                            let _e2215 = select(select(u32(_e2210), 0u, (_e2210 < 0f)), 4294967295u, (_e2210 > 4294967000f));
-                                            if (_e2215 > 0u) {
-                                                let _e2226 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2215) * bitcast<f32>((bitcast<u32>((_e2200 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e2231 = (select(select(_e2051, _e2226, (_e2226 < _e2051)), _e2051, (_e2215 == 1023u)) > _e2189);
-                                                if _e2231 {
-                                                    phi_4132_ = (_e2215 - 1u);
+                                            let _e2921 = phi_5079_;
+                                            let _e2923 = select(1023f, _e2921, (_e2921 < 1023f));
+                                            let _e2931 = bitcast<u32>(select(0i, select(select(i32(_e2923), i32(-2147483648), (_e2923 < -2147483600f)), 2147483647i, (_e2923 > 2147483500f)), (_e2923 == _e2923)));
+                                            if (_e2931 > 0u) {
+                                                let _e2940 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2931)) - 8388608f) * _e2917)) ^ _e74)) > _e2912);
+                                                if _e2940 {
+                                                    phi_5112_ = (_e2931 - 1u);
                                                 } else {
-                                                    phi_4132_ = u32();
+                                                    phi_5112_ = u32();
                                                 }
-                                                let _e2234 = phi_4132_;
-                                                phi_4134_ = _e2234;
-                                                phi_4135_ = select(true, false, _e2231);
+                                                let _e2943 = phi_5112_;
+                                                phi_5114_ = _e2943;
+                                                phi_5115_ = select(true, false, _e2940);
                                             } else {
-                                                phi_4134_ = u32();
-                                                phi_4135_ = true;
+                                                phi_5114_ = u32();
+                                                phi_5115_ = true;
                                             }
-                                            let _e2237 = phi_4134_;
-                                            let _e2239 = phi_4135_;
-                                            if _e2239 {
-                                                if (_e2215 < 1023u) {
-                                                    let _e2241 = (_e2215 + 1u);
-                                                    let _e2251 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2241) * bitcast<f32>((bitcast<u32>((_e2200 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_4173_ = select(_e2215, _e2241, (select(select(_e2051, _e2251, (_e2251 < _e2051)), _e2051, (_e2241 == 1023u)) <= _e2189));
+                                            let _e2946 = phi_5114_;
+                                            let _e2948 = phi_5115_;
+                                            if _e2948 {
+                                                if (_e2931 < 1023u) {
+                                                    let _e2950 = (_e2931 + 1u);
+                                                    phi_5137_ = select(_e2931, _e2950, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2950)) - 8388608f) * _e2917)) ^ _e74)) <= _e2912));
                                                 } else {
-                                                    phi_4173_ = _e2215;
+                                                    phi_5137_ = _e2931;
                                                 }
-                                                let _e2259 = phi_4173_;
-                                                phi_4174_ = _e2259;
+                                                let _e2961 = phi_5137_;
+                                                phi_5138_ = _e2961;
                                             } else {
-                                                phi_4174_ = _e2237;
+                                                phi_5138_ = _e2946;
                                             }
-                                            let _e2261 = phi_4174_;
-                                            let _e2265 = bitcast<f32>((bitcast<u32>((_e2200 * 0.0009775171f)) ^ _e70));
-                                            let _e2271 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2261) * _e2265)) ^ _e70)));
-                                            let _e2277 = select(_e2261, 0u, (select(select(_e2051, _e2271, (_e2271 < _e2051)), _e2051, (_e2261 == 1023u)) > _e2189));
-                                            if (_e2277 < 1023u) {
-                                                phi_4208_ = (_e2277 + 1u);
-                                            } else {
-                                                phi_4208_ = _e2277;
-                                            }
-                                            let _e2281 = phi_4208_;
-                                            let _e2287 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2277) * _e2265)) ^ _e70)));
-                                            let _e2301 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2281) * _e2265)) ^ _e70)));
-                                            let _e2312 = (_e2064 - _e2027);
-                                            let _e2313 = (_e2312 > 0f);
-                                            if _e2313 {
-                                                phi_4277_ = (((_e2194 - _e2027) / _e2312) * 1023f);
-                                            } else {
-                                                phi_4277_ = 0f;
-                                            }
-                                            let _e2318 = phi_4277_;
-                                            let _e2320 = select(1023f, _e2318, (_e2318 < 1023f));
-                                            let _e2322 = select(0f, _e2320, (_e2320 > 0f));
-                                            let _e2327 = select(select(u32(_e2322), 0u, (_e2322 < 0f)), 4294967295u, (_e2322 > 4294967000f));
-                                            if (_e2327 > 0u) {
-                                                let _e2338 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2327) * bitcast<f32>((bitcast<u32>((_e2312 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e2343 = (select(select(_e2064, _e2338, (_e2338 < _e2064)), _e2064, (_e2327 == 1023u)) > _e2194);
-                                                if _e2343 {
-                                                    phi_4328_ = (_e2327 - 1u);
+                                            let _e2963 = phi_5138_;
+                                            if (_e2963 > 0u) {
+                                                let _e2972 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2963)) - 8388608f) * _e2917)) ^ _e74)));
+                                                let _e2977 = (select(select(_e2747, _e2972, (_e2972 < _e2747)), _e2747, (_e2963 == 1023u)) > _e2901);
+                                                if _e2977 {
+                                                    phi_5173_ = (_e2963 - 1u);
                                                 } else {
-                                                    phi_4328_ = u32();
+                                                    phi_5173_ = u32();
                                                 }
-                                                let _e2346 = phi_4328_;
-                                                phi_4330_ = _e2346;
-                                                phi_4331_ = select(true, false, _e2343);
+                                                let _e2980 = phi_5173_;
+                                                phi_5175_ = _e2980;
+                                                phi_5176_ = select(true, false, _e2977);
                                             } else {
-                                                phi_4330_ = u32();
-                                                phi_4331_ = true;
+                                                phi_5175_ = u32();
+                                                phi_5176_ = true;
                                             }
-                                            let _e2349 = phi_4330_;
-                                            let _e2351 = phi_4331_;
-                                            if _e2351 {
-                                                if (_e2327 < 1023u) {
-                                                    let _e2353 = (_e2327 + 1u);
-                                                    let _e2363 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2353) * bitcast<f32>((bitcast<u32>((_e2312 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_4369_ = select(_e2327, _e2353, (select(select(_e2064, _e2363, (_e2363 < _e2064)), _e2064, (_e2353 == 1023u)) <= _e2194));
+                                            let _e2983 = phi_5175_;
+                                            let _e2985 = phi_5176_;
+                                            if _e2985 {
+                                                if (_e2963 < 1023u) {
+                                                    let _e2987 = (_e2963 + 1u);
+                                                    let _e2995 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e2987)) - 8388608f) * _e2917)) ^ _e74)));
+                                                    phi_5216_ = select(_e2963, _e2987, (select(select(_e2747, _e2995, (_e2995 < _e2747)), _e2747, (_e2987 == 1023u)) <= _e2901));
                                                 } else {
-                                                    phi_4369_ = _e2327;
+                                                    phi_5216_ = _e2963;
                                                 }
-                                                let _e2371 = phi_4369_;
-                                                phi_4370_ = _e2371;
+                                                let _e3003 = phi_5216_;
+                                                phi_5217_ = _e3003;
                                             } else {
-                                                phi_4370_ = _e2349;
+                                                phi_5217_ = _e2983;
                                             }
-                                            let _e2373 = phi_4370_;
-                                            let _e2377 = bitcast<f32>((bitcast<u32>((_e2312 * 0.0009775171f)) ^ _e70));
-                                            let _e2383 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2373) * _e2377)) ^ _e70)));
-                                            let _e2389 = select(_e2373, 0u, (select(select(_e2064, _e2383, (_e2383 < _e2064)), _e2064, (_e2373 == 1023u)) > _e2194));
-                                            if (_e2389 < 1023u) {
-                                                phi_4404_ = (_e2389 + 1u);
+                                            let _e3005 = phi_5217_;
+                                            let _e3013 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3005)) - 8388608f) * _e2917)) ^ _e74)));
+                                            let _e3019 = select(_e3005, 0u, (select(select(_e2747, _e3013, (_e3013 < _e2747)), _e2747, (_e3005 == 1023u)) > _e2901));
+                                            if (_e3019 < 1023u) {
+                                                phi_5253_ = (_e3019 + 1u);
                                             } else {
-                                                phi_4404_ = _e2389;
+                                                phi_5253_ = _e3019;
                                             }
-                                            let _e2393 = phi_4404_;
-                                            let _e2399 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2389) * _e2377)) ^ _e70)));
-                                            let _e2413 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2393) * _e2377)) ^ _e70)));
-                                            let _e2427 = (_e2077 - _e2040);
-                                            let _e2428 = (_e2427 > 0f);
-                                            if _e2428 {
-                                                phi_4475_ = (((_e2199 - _e2040) / _e2427) * 1023f);
+                                            let _e3023 = phi_5253_;
+                                            let _e3031 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3019)) - 8388608f) * _e2917)) ^ _e74)));
+                                            let _e3047 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3023)) - 8388608f) * _e2917)) ^ _e74)));
+                                            let _e3058 = (_e2906 - _e2719);
+                                            let _e3063 = bitcast<f32>((bitcast<u32>(((_e2762 - _e2719) * 0.0009775171f)) ^ _e74));
+                                            let _e3064 = (_e3063 > 0f);
+                                            if _e3064 {
+                                                phi_5330_ = (_e3058 / _e3063);
                                             } else {
-                                                phi_4475_ = 0f;
+                                                phi_5330_ = 0f;
                                             }
-                                            let _e2433 = phi_4475_;
-                                            let _e2435 = select(1023f, _e2433, (_e2433 < 1023f));
-                                            let _e2437 = select(0f, _e2435, (_e2435 > 0f));
-                                            let _e2442 = select(select(u32(_e2437), 0u, (_e2437 < 0f)), 4294967295u, (_e2437 > 4294967000f));
-                                            if (_e2442 > 0u) {
-                                                let _e2453 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2442) * bitcast<f32>((bitcast<u32>((_e2427 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e2458 = (select(select(_e2077, _e2453, (_e2453 < _e2077)), _e2077, (_e2442 == 1023u)) > _e2199);
-                                                if _e2458 {
-                                                    phi_4526_ = (_e2442 - 1u);
+                                            let _e3067 = phi_5330_;
+                                            let _e3069 = select(1023f, _e3067, (_e3067 < 1023f));
+                                            let _e3077 = bitcast<u32>(select(0i, select(select(i32(_e3069), i32(-2147483648), (_e3069 < -2147483600f)), 2147483647i, (_e3069 > 2147483500f)), (_e3069 == _e3069)));
+                                            if (_e3077 > 0u) {
+                                                let _e3086 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3077)) - 8388608f) * _e3063)) ^ _e74)) > _e3058);
+                                                if _e3086 {
+                                                    phi_5363_ = (_e3077 - 1u);
                                                 } else {
-                                                    phi_4526_ = u32();
+                                                    phi_5363_ = u32();
                                                 }
-                                                let _e2461 = phi_4526_;
-                                                phi_4528_ = _e2461;
-                                                phi_4529_ = select(true, false, _e2458);
+                                                let _e3089 = phi_5363_;
+                                                phi_5365_ = _e3089;
+                                                phi_5366_ = select(true, false, _e3086);
                                             } else {
-                                                phi_4528_ = u32();
-                                                phi_4529_ = true;
+                                                phi_5365_ = u32();
+                                                phi_5366_ = true;
                                             }
-                                            let _e2464 = phi_4528_;
-                                            let _e2466 = phi_4529_;
-                                            if _e2466 {
-                                                if (_e2442 < 1023u) {
-                                                    let _e2468 = (_e2442 + 1u);
-                                                    let _e2478 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2468) * bitcast<f32>((bitcast<u32>((_e2427 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_4567_ = select(_e2442, _e2468, (select(select(_e2077, _e2478, (_e2478 < _e2077)), _e2077, (_e2468 == 1023u)) <= _e2199));
+                                            let _e3092 = phi_5365_;
+                                            let _e3094 = phi_5366_;
+                                            if _e3094 {
+                                                if (_e3077 < 1023u) {
+                                                    let _e3096 = (_e3077 + 1u);
+                                                    phi_5388_ = select(_e3077, _e3096, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3096)) - 8388608f) * _e3063)) ^ _e74)) <= _e3058));
                                                 } else {
-                                                    phi_4567_ = _e2442;
+                                                    phi_5388_ = _e3077;
                                                 }
-                                                let _e2486 = phi_4567_;
-                                                phi_4568_ = _e2486;
+                                                let _e3107 = phi_5388_;
+                                                phi_5389_ = _e3107;
                                             } else {
-                                                phi_4568_ = _e2464;
+                                                phi_5389_ = _e3092;
                                             }
-                                            let _e2488 = phi_4568_;
-                                            let _e2492 = bitcast<f32>((bitcast<u32>((_e2427 * 0.0009775171f)) ^ _e70));
-                                            let _e2498 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2488) * _e2492)) ^ _e70)));
-                                            let _e2504 = select(_e2488, 0u, (select(select(_e2077, _e2498, (_e2498 < _e2077)), _e2077, (_e2488 == 1023u)) > _e2199));
-                                            if (_e2504 < 1023u) {
-                                                phi_4602_ = (_e2504 + 1u);
-                                            } else {
-                                                phi_4602_ = _e2504;
-                                            }
-                                            let _e2508 = phi_4602_;
-                                            let _e2514 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2504) * _e2492)) ^ _e70)));
-                                            let _e2528 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2508) * _e2492)) ^ _e70)));
-                                            let _e2546 = global_2.member[_e2182].member[3u];
-                                            let _e2551 = global_2.member[_e2182].member[4u];
-                                            let _e2556 = global_2.member[_e2182].member[5u];
-                                            if _e2201 {
-                                                phi_4679_ = (((_e2546 - _e2014) / _e2200) * 1023f);
-                                            } else {
-                                                phi_4679_ = 0f;
-                                            }
-                                            let _e2561 = phi_4679_;
-                                            let _e2563 = select(1023f, _e2561, (_e2561 < 1023f));
-                                            let _e2565 = select(0f, _e2563, (_e2563 > 0f));
-                                            let _e2570 = select(select(u32(_e2565), 0u, (_e2565 < 0f)), 4294967295u, (_e2565 > 4294967000f));
-                                            if (_e2570 > 0u) {
-                                                let _e2577 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2570) * _e2265)) ^ _e70)));
-                                                let _e2582 = (select(select(_e2051, _e2577, (_e2577 < _e2051)), _e2051, (_e2570 == 1023u)) > _e2546);
-                                                if _e2582 {
-                                                    phi_4730_ = (_e2570 - 1u);
+                                            let _e3109 = phi_5389_;
+                                            if (_e3109 > 0u) {
+                                                let _e3118 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3109)) - 8388608f) * _e3063)) ^ _e74)));
+                                                let _e3123 = (select(select(_e2762, _e3118, (_e3118 < _e2762)), _e2762, (_e3109 == 1023u)) > _e2906);
+                                                if _e3123 {
+                                                    phi_5424_ = (_e3109 - 1u);
                                                 } else {
-                                                    phi_4730_ = u32();
+                                                    phi_5424_ = u32();
                                                 }
-                                                let _e2585 = phi_4730_;
-                                                phi_4732_ = _e2585;
-                                                phi_4733_ = select(true, false, _e2582);
+                                                let _e3126 = phi_5424_;
+                                                phi_5426_ = _e3126;
+                                                phi_5427_ = select(true, false, _e3123);
                                             } else {
-                                                phi_4732_ = u32();
-                                                phi_4733_ = true;
+                                                phi_5426_ = u32();
+                                                phi_5427_ = true;
                                             }
-                                            let _e2588 = phi_4732_;
-                                            let _e2590 = phi_4733_;
-                                            if _e2590 {
-                                                if (_e2570 < 1023u) {
-                                                    let _e2592 = (_e2570 + 1u);
-                                                    let _e2598 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2592) * _e2265)) ^ _e70)));
-                                                    phi_4771_ = select(_e2570, _e2592, (select(select(_e2051, _e2598, (_e2598 < _e2051)), _e2051, (_e2592 == 1023u)) <= _e2546));
+                                            let _e3129 = phi_5426_;
+                                            let _e3131 = phi_5427_;
+                                            if _e3131 {
+                                                if (_e3109 < 1023u) {
+                                                    let _e3133 = (_e3109 + 1u);
+                                                    let _e3141 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3133)) - 8388608f) * _e3063)) ^ _e74)));
+                                                    phi_5467_ = select(_e3109, _e3133, (select(select(_e2762, _e3141, (_e3141 < _e2762)), _e2762, (_e3133 == 1023u)) <= _e2906));
                                                 } else {
-                                                    phi_4771_ = _e2570;
+                                                    phi_5467_ = _e3109;
                                                 }
-                                                let _e2606 = phi_4771_;
-                                                phi_4772_ = _e2606;
+                                                let _e3149 = phi_5467_;
+                                                phi_5468_ = _e3149;
                                             } else {
-                                                phi_4772_ = _e2588;
+                                                phi_5468_ = _e3129;
                                             }
-                                            let _e2608 = phi_4772_;
-                                            let _e2614 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2608) * _e2265)) ^ _e70)));
-                                            let _e2620 = select(_e2608, 0u, (select(select(_e2051, _e2614, (_e2614 < _e2051)), _e2051, (_e2608 == 1023u)) > _e2546));
-                                            if (_e2620 < 1023u) {
-                                                phi_4806_ = (_e2620 + 1u);
+                                            let _e3151 = phi_5468_;
+                                            let _e3159 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3151)) - 8388608f) * _e3063)) ^ _e74)));
+                                            let _e3165 = select(_e3151, 0u, (select(select(_e2762, _e3159, (_e3159 < _e2762)), _e2762, (_e3151 == 1023u)) > _e2906));
+                                            if (_e3165 < 1023u) {
+                                                phi_5504_ = (_e3165 + 1u);
                                             } else {
-                                                phi_4806_ = _e2620;
+                                                phi_5504_ = _e3165;
                                             }
-                                            let _e2624 = phi_4806_;
-                                            let _e2630 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2620) * _e2265)) ^ _e70)));
-                                            let _e2644 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2624) * _e2265)) ^ _e70)));
-                                            if _e2313 {
-                                                phi_4875_ = (((_e2551 - _e2027) / _e2312) * 1023f);
+                                            let _e3169 = phi_5504_;
+                                            let _e3177 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3165)) - 8388608f) * _e3063)) ^ _e74)));
+                                            let _e3193 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3169)) - 8388608f) * _e3063)) ^ _e74)));
+                                            let _e3207 = (_e2911 - _e2734);
+                                            let _e3212 = bitcast<f32>((bitcast<u32>(((_e2777 - _e2734) * 0.0009775171f)) ^ _e74));
+                                            let _e3213 = (_e3212 > 0f);
+                                            if _e3213 {
+                                                phi_5583_ = (_e3207 / _e3212);
                                             } else {
-                                                phi_4875_ = 0f;
+                                                phi_5583_ = 0f;
                                             }
-                                            let _e2659 = phi_4875_;
-                                            let _e2661 = select(1023f, _e2659, (_e2659 < 1023f));
-                                            let _e2663 = select(0f, _e2661, (_e2661 > 0f));
-                                            let _e2668 = select(select(u32(_e2663), 0u, (_e2663 < 0f)), 4294967295u, (_e2663 > 4294967000f));
-                                            if (_e2668 > 0u) {
-                                                let _e2675 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2668) * _e2377)) ^ _e70)));
-                                                let _e2680 = (select(select(_e2064, _e2675, (_e2675 < _e2064)), _e2064, (_e2668 == 1023u)) > _e2551);
-                                                if _e2680 {
-                                                    phi_4926_ = (_e2668 - 1u);
+                                            let _e3216 = phi_5583_;
+                                            let _e3218 = select(1023f, _e3216, (_e3216 < 1023f));
+                                            let _e3226 = bitcast<u32>(select(0i, select(select(i32(_e3218), i32(-2147483648), (_e3218 < -2147483600f)), 2147483647i, (_e3218 > 2147483500f)), (_e3218 == _e3218)));
+                                            if (_e3226 > 0u) {
+                                                let _e3235 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3226)) - 8388608f) * _e3212)) ^ _e74)) > _e3207);
+                                                if _e3235 {
+                                                    phi_5616_ = (_e3226 - 1u);
                                                 } else {
-                                                    phi_4926_ = u32();
+                                                    phi_5616_ = u32();
                                                 }
-                                                let _e2683 = phi_4926_;
-                                                phi_4928_ = _e2683;
-                                                phi_4929_ = select(true, false, _e2680);
+                                                let _e3238 = phi_5616_;
+                                                phi_5618_ = _e3238;
+                                                phi_5619_ = select(true, false, _e3235);
                                             } else {
-                                                phi_4928_ = u32();
-                                                phi_4929_ = true;
+                                                phi_5618_ = u32();
+                                                phi_5619_ = true;
                                             }
-                                            let _e2686 = phi_4928_;
-                                            let _e2688 = phi_4929_;
-                                            if _e2688 {
-                                                if (_e2668 < 1023u) {
-                                                    let _e2690 = (_e2668 + 1u);
-                                                    let _e2696 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2690) * _e2377)) ^ _e70)));
-                                                    phi_4967_ = select(_e2668, _e2690, (select(select(_e2064, _e2696, (_e2696 < _e2064)), _e2064, (_e2690 == 1023u)) <= _e2551));
+                                            let _e3241 = phi_5618_;
+                                            let _e3243 = phi_5619_;
+                                            if _e3243 {
+                                                if (_e3226 < 1023u) {
+                                                    let _e3245 = (_e3226 + 1u);
+                                                    phi_5641_ = select(_e3226, _e3245, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3245)) - 8388608f) * _e3212)) ^ _e74)) <= _e3207));
                                                 } else {
-                                                    phi_4967_ = _e2668;
+                                                    phi_5641_ = _e3226;
                                                 }
-                                                let _e2704 = phi_4967_;
-                                                phi_4968_ = _e2704;
+                                                let _e3256 = phi_5641_;
+                                                phi_5642_ = _e3256;
                                             } else {
-                                                phi_4968_ = _e2686;
+                                                phi_5642_ = _e3241;
                                             }
-                                            let _e2706 = phi_4968_;
-                                            let _e2712 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2706) * _e2377)) ^ _e70)));
-                                            let _e2718 = select(_e2706, 0u, (select(select(_e2064, _e2712, (_e2712 < _e2064)), _e2064, (_e2706 == 1023u)) > _e2551));
-                                            if (_e2718 < 1023u) {
-                                                phi_5002_ = (_e2718 + 1u);
-                                            } else {
-                                                phi_5002_ = _e2718;
-                                            }
-                                            let _e2722 = phi_5002_;
-                                            let _e2728 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2718) * _e2377)) ^ _e70)));
-                                            let _e2742 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2722) * _e2377)) ^ _e70)));
-                                            if _e2428 {
-                                                phi_5073_ = (((_e2556 - _e2040) / _e2427) * 1023f);
-                                            } else {
-                                                phi_5073_ = 0f;
-                                            }
-                                            let _e2760 = phi_5073_;
-                                            let _e2762 = select(1023f, _e2760, (_e2760 < 1023f));
-                                            let _e2764 = select(0f, _e2762, (_e2762 > 0f));
-                                            let _e2769 = select(select(u32(_e2764), 0u, (_e2764 < 0f)), 4294967295u, (_e2764 > 4294967000f));
-                                            if (_e2769 > 0u) {
-                                                let _e2776 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2769) * _e2492)) ^ _e70)));
-                                                let _e2781 = (select(select(_e2077, _e2776, (_e2776 < _e2077)), _e2077, (_e2769 == 1023u)) > _e2556);
-                                                if _e2781 {
-                                                    phi_5124_ = (_e2769 - 1u);
+                                            let _e3258 = phi_5642_;
+                                            if (_e3258 > 0u) {
+                                                let _e3267 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3258)) - 8388608f) * _e3212)) ^ _e74)));
+                                                let _e3272 = (select(select(_e2777, _e3267, (_e3267 < _e2777)), _e2777, (_e3258 == 1023u)) > _e2911);
+                                                if _e3272 {
+                                                    phi_5677_ = (_e3258 - 1u);
                                                 } else {
-                                                    phi_5124_ = u32();
+                                                    phi_5677_ = u32();
                                                 }
-                                                let _e2784 = phi_5124_;
-                                                phi_5126_ = _e2784;
-                                                phi_5127_ = select(true, false, _e2781);
+                                                let _e3275 = phi_5677_;
+                                                phi_5679_ = _e3275;
+                                                phi_5680_ = select(true, false, _e3272);
                                             } else {
-                                                phi_5126_ = u32();
-                                                phi_5127_ = true;
+                                                phi_5679_ = u32();
+                                                phi_5680_ = true;
                                             }
-                                            let _e2787 = phi_5126_;
-                                            let _e2789 = phi_5127_;
-                                            if _e2789 {
-                                                if (_e2769 < 1023u) {
-                                                    let _e2791 = (_e2769 + 1u);
-                                                    let _e2797 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2791) * _e2492)) ^ _e70)));
-                                                    phi_5165_ = select(_e2769, _e2791, (select(select(_e2077, _e2797, (_e2797 < _e2077)), _e2077, (_e2791 == 1023u)) <= _e2556));
+                                            let _e3278 = phi_5679_;
+                                            let _e3280 = phi_5680_;
+                                            if _e3280 {
+                                                if (_e3258 < 1023u) {
+                                                    let _e3282 = (_e3258 + 1u);
+                                                    let _e3290 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3282)) - 8388608f) * _e3212)) ^ _e74)));
+                                                    phi_5720_ = select(_e3258, _e3282, (select(select(_e2777, _e3290, (_e3290 < _e2777)), _e2777, (_e3282 == 1023u)) <= _e2911));
                                                 } else {
-                                                    phi_5165_ = _e2769;
+                                                    phi_5720_ = _e3258;
                                                 }
-                                                let _e2805 = phi_5165_;
-                                                phi_5166_ = _e2805;
+                                                let _e3298 = phi_5720_;
+                                                phi_5721_ = _e3298;
                                             } else {
-                                                phi_5166_ = _e2787;
+                                                phi_5721_ = _e3278;
                                             }
-                                            let _e2807 = phi_5166_;
-                                            let _e2813 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2807) * _e2492)) ^ _e70)));
-                                            let _e2819 = select(_e2807, 0u, (select(select(_e2077, _e2813, (_e2813 < _e2077)), _e2077, (_e2807 == 1023u)) > _e2556));
-                                            if (_e2819 < 1023u) {
-                                                phi_5200_ = (_e2819 + 1u);
+                                            let _e3300 = phi_5721_;
+                                            let _e3308 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3300)) - 8388608f) * _e3212)) ^ _e74)));
+                                            let _e3314 = select(_e3300, 0u, (select(select(_e2777, _e3308, (_e3308 < _e2777)), _e2777, (_e3300 == 1023u)) > _e2911));
+                                            if (_e3314 < 1023u) {
+                                                phi_5757_ = (_e3314 + 1u);
                                             } else {
-                                                phi_5200_ = _e2819;
+                                                phi_5757_ = _e3314;
                                             }
-                                            let _e2823 = phi_5200_;
-                                            let _e2829 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2819) * _e2492)) ^ _e70)));
-                                            let _e2843 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2823) * _e2492)) ^ _e70)));
-                                            let _e2861 = global_2.member[_e2182].member[6u];
-                                            let _e2866 = global_2.member[_e2182].member[7u];
-                                            let _e2871 = global_2.member[_e2182].member[8u];
-                                            if _e2201 {
-                                                phi_5277_ = (((_e2861 - _e2014) / _e2200) * 1023f);
+                                            let _e3318 = phi_5757_;
+                                            let _e3326 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3314)) - 8388608f) * _e3212)) ^ _e74)));
+                                            let _e3342 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3318)) - 8388608f) * _e3212)) ^ _e74)));
+                                            let _e3360 = global_2.member[_e2894].member[3u];
+                                            let _e3365 = global_2.member[_e2894].member[4u];
+                                            let _e3370 = global_2.member[_e2894].member[5u];
+                                            let _e3371 = (_e3360 - _e2704);
+                                            if _e2918 {
+                                                phi_5842_ = (_e3371 / _e2917);
                                             } else {
-                                                phi_5277_ = 0f;
+                                                phi_5842_ = 0f;
                                             }
-                                            let _e2876 = phi_5277_;
-                                            let _e2878 = select(1023f, _e2876, (_e2876 < 1023f));
-                                            let _e2880 = select(0f, _e2878, (_e2878 > 0f));
-                                            let _e2885 = select(select(u32(_e2880), 0u, (_e2880 < 0f)), 4294967295u, (_e2880 > 4294967000f));
-                                            if (_e2885 > 0u) {
-                                                let _e2892 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2885) * _e2265)) ^ _e70)));
-                                                let _e2897 = (select(select(_e2051, _e2892, (_e2892 < _e2051)), _e2051, (_e2885 == 1023u)) > _e2861);
-                                                if _e2897 {
-                                                    phi_5328_ = (_e2885 - 1u);
+                                            let _e3374 = phi_5842_;
+                                            let _e3376 = select(1023f, _e3374, (_e3374 < 1023f));
+                                            let _e3384 = bitcast<u32>(select(0i, select(select(i32(_e3376), i32(-2147483648), (_e3376 < -2147483600f)), 2147483647i, (_e3376 > 2147483500f)), (_e3376 == _e3376)));
+                                            if (_e3384 > 0u) {
+                                                let _e3393 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3384)) - 8388608f) * _e2917)) ^ _e74)) > _e3371);
+                                                if _e3393 {
+                                                    phi_5875_ = (_e3384 - 1u);
                                                 } else {
-                                                    phi_5328_ = u32();
+                                                    phi_5875_ = u32();
                                                 }
-                                                let _e2900 = phi_5328_;
-                                                phi_5330_ = _e2900;
-                                                phi_5331_ = select(true, false, _e2897);
+                                                let _e3396 = phi_5875_;
+                                                phi_5877_ = _e3396;
+                                                phi_5878_ = select(true, false, _e3393);
                                             } else {
-                                                phi_5330_ = u32();
-                                                phi_5331_ = true;
+                                                phi_5877_ = u32();
+                                                phi_5878_ = true;
                                             }
-                                            let _e2903 = phi_5330_;
-                                            let _e2905 = phi_5331_;
-                                            if _e2905 {
-                                                if (_e2885 < 1023u) {
-                                                    let _e2907 = (_e2885 + 1u);
-                                                    let _e2913 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2907) * _e2265)) ^ _e70)));
-                                                    phi_5369_ = select(_e2885, _e2907, (select(select(_e2051, _e2913, (_e2913 < _e2051)), _e2051, (_e2907 == 1023u)) <= _e2861));
+                                            let _e3399 = phi_5877_;
+                                            let _e3401 = phi_5878_;
+                                            if _e3401 {
+                                                if (_e3384 < 1023u) {
+                                                    let _e3403 = (_e3384 + 1u);
+                                                    phi_5900_ = select(_e3384, _e3403, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3403)) - 8388608f) * _e2917)) ^ _e74)) <= _e3371));
                                                 } else {
-                                                    phi_5369_ = _e2885;
+                                                    phi_5900_ = _e3384;
                                                 }
-                                                let _e2921 = phi_5369_;
-                                                phi_5370_ = _e2921;
+                                                let _e3414 = phi_5900_;
+                                                phi_5901_ = _e3414;
                                             } else {
-                                                phi_5370_ = _e2903;
+                                                phi_5901_ = _e3399;
                                             }
-                                            let _e2923 = phi_5370_;
-                                            let _e2929 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2923) * _e2265)) ^ _e70)));
-                                            let _e2935 = select(_e2923, 0u, (select(select(_e2051, _e2929, (_e2929 < _e2051)), _e2051, (_e2923 == 1023u)) > _e2861));
-                                            if (_e2935 < 1023u) {
-                                                phi_5404_ = (_e2935 + 1u);
-                                            } else {
-                                                phi_5404_ = _e2935;
-                                            }
-                                            let _e2939 = phi_5404_;
-                                            let _e2945 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2935) * _e2265)) ^ _e70)));
-                                            let _e2959 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2939) * _e2265)) ^ _e70)));
-                                            if _e2313 {
-                                                phi_5473_ = (((_e2866 - _e2027) / _e2312) * 1023f);
-                                            } else {
-                                                phi_5473_ = 0f;
-                                            }
-                                            let _e2974 = phi_5473_;
-                                            let _e2976 = select(1023f, _e2974, (_e2974 < 1023f));
-                                            let _e2978 = select(0f, _e2976, (_e2976 > 0f));
-                                            let _e2983 = select(select(u32(_e2978), 0u, (_e2978 < 0f)), 4294967295u, (_e2978 > 4294967000f));
-                                            if (_e2983 > 0u) {
-                                                let _e2990 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2983) * _e2377)) ^ _e70)));
-                                                let _e2995 = (select(select(_e2064, _e2990, (_e2990 < _e2064)), _e2064, (_e2983 == 1023u)) > _e2866);
-                                                if _e2995 {
-                                                    phi_5524_ = (_e2983 - 1u);
+                                            let _e3416 = phi_5901_;
+                                            if (_e3416 > 0u) {
+                                                let _e3425 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3416)) - 8388608f) * _e2917)) ^ _e74)));
+                                                let _e3430 = (select(select(_e2747, _e3425, (_e3425 < _e2747)), _e2747, (_e3416 == 1023u)) > _e3360);
+                                                if _e3430 {
+                                                    phi_5936_ = (_e3416 - 1u);
                                                 } else {
-                                                    phi_5524_ = u32();
+                                                    phi_5936_ = u32();
                                                 }
-                                                let _e2998 = phi_5524_;
-                                                phi_5526_ = _e2998;
-                                                phi_5527_ = select(true, false, _e2995);
+                                                let _e3433 = phi_5936_;
+                                                phi_5938_ = _e3433;
+                                                phi_5939_ = select(true, false, _e3430);
                                             } else {
-                                                phi_5526_ = u32();
-                                                phi_5527_ = true;
+                                                phi_5938_ = u32();
+                                                phi_5939_ = true;
                                             }
-                                            let _e3001 = phi_5526_;
-                                            let _e3003 = phi_5527_;
-                                            if _e3003 {
-                                                if (_e2983 < 1023u) {
-                                                    let _e3005 = (_e2983 + 1u);
-                                                    let _e3011 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e3005) * _e2377)) ^ _e70)));
-                                                    phi_5565_ = select(_e2983, _e3005, (select(select(_e2064, _e3011, (_e3011 < _e2064)), _e2064, (_e3005 == 1023u)) <= _e2866));
+                                            let _e3436 = phi_5938_;
+                                            let _e3438 = phi_5939_;
+                                            if _e3438 {
+                                                if (_e3416 < 1023u) {
+                                                    let _e3440 = (_e3416 + 1u);
+                                                    let _e3448 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3440)) - 8388608f) * _e2917)) ^ _e74)));
+                                                    phi_5979_ = select(_e3416, _e3440, (select(select(_e2747, _e3448, (_e3448 < _e2747)), _e2747, (_e3440 == 1023u)) <= _e3360));
                                                 } else {
-                                                    phi_5565_ = _e2983;
+                                                    phi_5979_ = _e3416;
                                                 }
-                                                let _e3019 = phi_5565_;
-                                                phi_5566_ = _e3019;
+                                                let _e3456 = phi_5979_;
+                                                phi_5980_ = _e3456;
                                             } else {
-                                                phi_5566_ = _e3001;
+                                                phi_5980_ = _e3436;
                                             }
-                                            let _e3021 = phi_5566_;
-                                            let _e3027 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e3021) * _e2377)) ^ _e70)));
-                                            let _e3033 = select(_e3021, 0u, (select(select(_e2064, _e3027, (_e3027 < _e2064)), _e2064, (_e3021 == 1023u)) > _e2866));
-                                            if (_e3033 < 1023u) {
-                                                phi_5600_ = (_e3033 + 1u);
+                                            let _e3458 = phi_5980_;
+                                            let _e3466 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3458)) - 8388608f) * _e2917)) ^ _e74)));
+                                            let _e3472 = select(_e3458, 0u, (select(select(_e2747, _e3466, (_e3466 < _e2747)), _e2747, (_e3458 == 1023u)) > _e3360));
+                                            if (_e3472 < 1023u) {
+                                                phi_6016_ = (_e3472 + 1u);
                                             } else {
-                                                phi_5600_ = _e3033;
+                                                phi_6016_ = _e3472;
                                             }
-                                            let _e3037 = phi_5600_;
-                                            let _e3043 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e3033) * _e2377)) ^ _e70)));
-                                            let _e3057 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e3037) * _e2377)) ^ _e70)));
-                                            if _e2428 {
-                                                phi_5671_ = (((_e2871 - _e2040) / _e2427) * 1023f);
+                                            let _e3476 = phi_6016_;
+                                            let _e3484 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3472)) - 8388608f) * _e2917)) ^ _e74)));
+                                            let _e3500 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3476)) - 8388608f) * _e2917)) ^ _e74)));
+                                            let _e3511 = (_e3365 - _e2719);
+                                            if _e3064 {
+                                                phi_6093_ = (_e3511 / _e3063);
                                             } else {
-                                                phi_5671_ = 0f;
+                                                phi_6093_ = 0f;
                                             }
-                                            let _e3075 = phi_5671_;
-                                            let _e3077 = select(1023f, _e3075, (_e3075 < 1023f));
-                                            let _e3079 = select(0f, _e3077, (_e3077 > 0f));
-                                            let _e3084 = select(select(u32(_e3079), 0u, (_e3079 < 0f)), 4294967295u, (_e3079 > 4294967000f));
-                                            if (_e3084 > 0u) {
-                                                let _e3091 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e3084) * _e2492)) ^ _e70)));
-                                                let _e3096 = (select(select(_e2077, _e3091, (_e3091 < _e2077)), _e2077, (_e3084 == 1023u)) > _e2871);
-                                                if _e3096 {
-                                                    phi_5722_ = (_e3084 - 1u);
+                                            let _e3514 = phi_6093_;
+                                            let _e3516 = select(1023f, _e3514, (_e3514 < 1023f));
+                                            let _e3524 = bitcast<u32>(select(0i, select(select(i32(_e3516), i32(-2147483648), (_e3516 < -2147483600f)), 2147483647i, (_e3516 > 2147483500f)), (_e3516 == _e3516)));
+                                            if (_e3524 > 0u) {
+                                                let _e3533 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3524)) - 8388608f) * _e3063)) ^ _e74)) > _e3511);
+                                                if _e3533 {
+                                                    phi_6126_ = (_e3524 - 1u);
                                                 } else {
-                                                    phi_5722_ = u32();
+                                                    phi_6126_ = u32();
                                                 }
-                                                let _e3099 = phi_5722_;
-                                                phi_5724_ = _e3099;
-                                                phi_5725_ = select(true, false, _e3096);
+                                                let _e3536 = phi_6126_;
+                                                phi_6128_ = _e3536;
+                                                phi_6129_ = select(true, false, _e3533);
                                             } else {
-                                                phi_5724_ = u32();
-                                                phi_5725_ = true;
+                                                phi_6128_ = u32();
+                                                phi_6129_ = true;
                                             }
-                                            let _e3102 = phi_5724_;
-                                            let _e3104 = phi_5725_;
-                                            if _e3104 {
-                                                if (_e3084 < 1023u) {
-                                                    let _e3106 = (_e3084 + 1u);
-                                                    let _e3112 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e3106) * _e2492)) ^ _e70)));
-                                                    phi_5763_ = select(_e3084, _e3106, (select(select(_e2077, _e3112, (_e3112 < _e2077)), _e2077, (_e3106 == 1023u)) <= _e2871));
+                                            let _e3539 = phi_6128_;
+                                            let _e3541 = phi_6129_;
+                                            if _e3541 {
+                                                if (_e3524 < 1023u) {
+                                                    let _e3543 = (_e3524 + 1u);
+                                                    phi_6151_ = select(_e3524, _e3543, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3543)) - 8388608f) * _e3063)) ^ _e74)) <= _e3511));
                                                 } else {
-                                                    phi_5763_ = _e3084;
+                                                    phi_6151_ = _e3524;
                                                 }
-                                                let _e3120 = phi_5763_;
-                                                phi_5764_ = _e3120;
+                                                let _e3554 = phi_6151_;
+                                                phi_6152_ = _e3554;
                                             } else {
-                                                phi_5764_ = _e3102;
+                                                phi_6152_ = _e3539;
                                             }
-                                            let _e3122 = phi_5764_;
-                                            let _e3128 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e3122) * _e2492)) ^ _e70)));
-                                            let _e3134 = select(_e3122, 0u, (select(select(_e2077, _e3128, (_e3128 < _e2077)), _e2077, (_e3122 == 1023u)) > _e2871));
-                                            if (_e3134 < 1023u) {
-                                                phi_5798_ = (_e3134 + 1u);
-                                            } else {
-                                                phi_5798_ = _e3134;
-                                            }
-                                            let _e3138 = phi_5798_;
-                                            let _e3144 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e3134) * _e2492)) ^ _e70)));
-                                            let _e3158 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e3138) * _e2492)) ^ _e70)));
-                                            let _e3176 = global_2.member[_e2182].member_1;
-                                            if _e2184 {
-                                            } else {
-                                                phi_7927_ = true;
-                                                break;
-                                            }
-                                            global_6.member[_e2182] = type_43(array<u32, 3>(((select(_e2277, _e2281, (bitcast<f32>((bitcast<u32>((select(select(_e2051, _e2301, (_e2301 < _e2051)), _e2051, (_e2281 == 1023u)) - _e2189)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2189 - select(select(_e2051, _e2287, (_e2287 < _e2051)), _e2051, (_e2277 == 1023u)))) & 2147483647u)))) | (select(_e2389, _e2393, (bitcast<f32>((bitcast<u32>((select(select(_e2064, _e2413, (_e2413 < _e2064)), _e2064, (_e2393 == 1023u)) - _e2194)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2194 - select(select(_e2064, _e2399, (_e2399 < _e2064)), _e2064, (_e2389 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e2504, _e2508, (bitcast<f32>((bitcast<u32>((select(select(_e2077, _e2528, (_e2528 < _e2077)), _e2077, (_e2508 == 1023u)) - _e2199)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2199 - select(select(_e2077, _e2514, (_e2514 < _e2077)), _e2077, (_e2504 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e2620, _e2624, (bitcast<f32>((bitcast<u32>((select(select(_e2051, _e2644, (_e2644 < _e2051)), _e2051, (_e2624 == 1023u)) - _e2546)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2546 - select(select(_e2051, _e2630, (_e2630 < _e2051)), _e2051, (_e2620 == 1023u)))) & 2147483647u)))) | (select(_e2718, _e2722, (bitcast<f32>((bitcast<u32>((select(select(_e2064, _e2742, (_e2742 < _e2064)), _e2064, (_e2722 == 1023u)) - _e2551)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2551 - select(select(_e2064, _e2728, (_e2728 < _e2064)), _e2064, (_e2718 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e2819, _e2823, (bitcast<f32>((bitcast<u32>((select(select(_e2077, _e2843, (_e2843 < _e2077)), _e2077, (_e2823 == 1023u)) - _e2556)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2556 - select(select(_e2077, _e2829, (_e2829 < _e2077)), _e2077, (_e2819 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e2935, _e2939, (bitcast<f32>((bitcast<u32>((select(select(_e2051, _e2959, (_e2959 < _e2051)), _e2051, (_e2939 == 1023u)) - _e2861)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2861 - select(select(_e2051, _e2945, (_e2945 < _e2051)), _e2051, (_e2935 == 1023u)))) & 2147483647u)))) | (select(_e3033, _e3037, (bitcast<f32>((bitcast<u32>((select(select(_e2064, _e3057, (_e3057 < _e2064)), _e2064, (_e3037 == 1023u)) - _e2866)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2866 - select(select(_e2064, _e3043, (_e3043 < _e2064)), _e2064, (_e3033 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e3134, _e3138, (bitcast<f32>((bitcast<u32>((select(select(_e2077, _e3158, (_e3158 < _e2077)), _e2077, (_e3138 == 1023u)) - _e2871)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2871 - select(select(_e2077, _e3144, (_e3144 < _e2077)), _e2077, (_e3134 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i)))), _e3176);
-                                        }
-                                    }
-                                }
-                                continue;
-                                continuing {
-                                    phi_4018_ = _e2174;
-                                    phi_7927_ = _e870;
-                                    break if !(_e2180);
-                                }
-                            }
-                            let _e3182 = phi_7927_;
-                            if _e3182 {
-                                break;
-                            }
-                            phi_8380_ = _e3182;
-                        } else {
-                            phi_8380_ = _e870;
-                        }
-                        let _e3184 = phi_8380_;
-                        if _e66 {
-                        } else {
-                            break;
-                        }
-                        if ((_e905 & 2147483648u) != 0u) {
-                            phi_5889_ = type_4(0u, ((_e905 >> bitcast<u32>(28u)) & 7u));
-                            loop {
-                                let _e3192 = phi_5889_;
-                                if (_e3192.member < _e3192.member_1) {
-                                    phi_5890_ = type_4((_e3192.member + 1u), _e3192.member_1);
-                                    phi_5913_ = type_4(1u, _e3192.member);
-                                } else {
-                                    phi_5890_ = _e3192;
-                                    phi_5913_ = type_4(0u, type_4().member_1);
-                                }
-                                let _e3205 = phi_5890_;
-                                let _e3207 = phi_5913_;
-                                let _e3211 = (bitcast<i32>(_e3207.member) != 0i);
-                                if _e3211 {
-                                    let _e3213 = ((_e905 & 268435455u) + _e3207.member_1);
-                                    let _e3214 = (_e3213 < _e51);
-                                    if _e3214 {
-                                        let _e3215 = (_e3213 < _e55);
-                                        if _e3215 {
-                                            if _e3214 {
-                                            } else {
-                                                phi_8376_ = true;
-                                                break;
-                                            }
-                                            let _e3220 = global_2.member[_e3213].member[0u];
-                                            let _e3225 = global_2.member[_e3213].member[1u];
-                                            let _e3230 = global_2.member[_e3213].member[2u];
-                                            let _e3231 = (_e2125 - _e2088);
-                                            let _e3232 = (_e3231 > 0f);
-                                            if _e3232 {
-                                                phi_5952_ = (((_e3220 - _e2088) / _e3231) * 1023f);
-                                            } else {
-                                                phi_5952_ = 0f;
-                                            }
-                                            let _e3237 = phi_5952_;
-                                            let _e3239 = select(1023f, _e3237, (_e3237 < 1023f));
-                                            let _e3241 = select(0f, _e3239, (_e3239 > 0f));
-                                            let _e3246 = select(select(u32(_e3241), 0u, (_e3241 < 0f)), 4294967295u, (_e3241 > 4294967000f));
-                                            if (_e3246 > 0u) {
-                                                let _e3257 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3246) * bitcast<f32>((bitcast<u32>((_e3231 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e3262 = (select(select(_e2125, _e3257, (_e3257 < _e2125)), _e2125, (_e3246 == 1023u)) > _e3220);
-                                                if _e3262 {
-                                                    phi_6003_ = (_e3246 - 1u);
+                                            let _e3556 = phi_6152_;
+                                            if (_e3556 > 0u) {
+                                                let _e3565 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3556)) - 8388608f) * _e3063)) ^ _e74)));
+                                                let _e3570 = (select(select(_e2762, _e3565, (_e3565 < _e2762)), _e2762, (_e3556 == 1023u)) > _e3365);
+                                                if _e3570 {
+                                                    phi_6187_ = (_e3556 - 1u);
                                                 } else {
-                                                    phi_6003_ = u32();
+                                                    phi_6187_ = u32();
                                                 }
-                                                let _e3265 = phi_6003_;
-                                                phi_6005_ = _e3265;
-                                                phi_6006_ = select(true, false, _e3262);
+                                                let _e3573 = phi_6187_;
+                                                phi_6189_ = _e3573;
+                                                phi_6190_ = select(true, false, _e3570);
                                             } else {
-                                                phi_6005_ = u32();
-                                                phi_6006_ = true;
+                                                phi_6189_ = u32();
+                                                phi_6190_ = true;
                                             }
-                                            let _e3268 = phi_6005_;
-                                            let _e3270 = phi_6006_;
-                                            if _e3270 {
-                                                if (_e3246 < 1023u) {
-                                                    let _e3272 = (_e3246 + 1u);
-                                                    let _e3282 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3272) * bitcast<f32>((bitcast<u32>((_e3231 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_6044_ = select(_e3246, _e3272, (select(select(_e2125, _e3282, (_e3282 < _e2125)), _e2125, (_e3272 == 1023u)) <= _e3220));
+                                            let _e3576 = phi_6189_;
+                                            let _e3578 = phi_6190_;
+                                            if _e3578 {
+                                                if (_e3556 < 1023u) {
+                                                    let _e3580 = (_e3556 + 1u);
+                                                    let _e3588 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3580)) - 8388608f) * _e3063)) ^ _e74)));
+                                                    phi_6230_ = select(_e3556, _e3580, (select(select(_e2762, _e3588, (_e3588 < _e2762)), _e2762, (_e3580 == 1023u)) <= _e3365));
                                                 } else {
-                                                    phi_6044_ = _e3246;
+                                                    phi_6230_ = _e3556;
                                                 }
-                                                let _e3290 = phi_6044_;
-                                                phi_6045_ = _e3290;
+                                                let _e3596 = phi_6230_;
+                                                phi_6231_ = _e3596;
                                             } else {
-                                                phi_6045_ = _e3268;
+                                                phi_6231_ = _e3576;
                                             }
-                                            let _e3292 = phi_6045_;
-                                            let _e3296 = bitcast<f32>((bitcast<u32>((_e3231 * 0.0009775171f)) ^ _e70));
-                                            let _e3302 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3292) * _e3296)) ^ _e70)));
-                                            let _e3308 = select(_e3292, 0u, (select(select(_e2125, _e3302, (_e3302 < _e2125)), _e2125, (_e3292 == 1023u)) > _e3220));
-                                            if (_e3308 < 1023u) {
-                                                phi_6079_ = (_e3308 + 1u);
+                                            let _e3598 = phi_6231_;
+                                            let _e3606 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3598)) - 8388608f) * _e3063)) ^ _e74)));
+                                            let _e3612 = select(_e3598, 0u, (select(select(_e2762, _e3606, (_e3606 < _e2762)), _e2762, (_e3598 == 1023u)) > _e3365));
+                                            if (_e3612 < 1023u) {
+                                                phi_6267_ = (_e3612 + 1u);
                                             } else {
-                                                phi_6079_ = _e3308;
+                                                phi_6267_ = _e3612;
                                             }
-                                            let _e3312 = phi_6079_;
-                                            let _e3318 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3308) * _e3296)) ^ _e70)));
-                                            let _e3332 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3312) * _e3296)) ^ _e70)));
-                                            let _e3343 = (_e2138 - _e2101);
-                                            let _e3344 = (_e3343 > 0f);
-                                            if _e3344 {
-                                                phi_6148_ = (((_e3225 - _e2101) / _e3343) * 1023f);
-                                            } else {
-                                                phi_6148_ = 0f;
-                                            }
-                                            let _e3349 = phi_6148_;
-                                            let _e3351 = select(1023f, _e3349, (_e3349 < 1023f));
-                                            let _e3353 = select(0f, _e3351, (_e3351 > 0f));
-                                            let _e3358 = select(select(u32(_e3353), 0u, (_e3353 < 0f)), 4294967295u, (_e3353 > 4294967000f));
-                                            if (_e3358 > 0u) {
-                                                let _e3369 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3358) * bitcast<f32>((bitcast<u32>((_e3343 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e3374 = (select(select(_e2138, _e3369, (_e3369 < _e2138)), _e2138, (_e3358 == 1023u)) > _e3225);
-                                                if _e3374 {
-                                                    phi_6199_ = (_e3358 - 1u);
-                                                } else {
-                                                    phi_6199_ = u32();
-                                                }
-                                                let _e3377 = phi_6199_;
-                                                phi_6201_ = _e3377;
-                                                phi_6202_ = select(true, false, _e3374);
-                                            } else {
-                                                phi_6201_ = u32();
-                                                phi_6202_ = true;
-                                            }
-                                            let _e3380 = phi_6201_;
-                                            let _e3382 = phi_6202_;
-                                            if _e3382 {
-                                                if (_e3358 < 1023u) {
-                                                    let _e3384 = (_e3358 + 1u);
-                                                    let _e3394 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3384) * bitcast<f32>((bitcast<u32>((_e3343 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_6240_ = select(_e3358, _e3384, (select(select(_e2138, _e3394, (_e3394 < _e2138)), _e2138, (_e3384 == 1023u)) <= _e3225));
-                                                } else {
-                                                    phi_6240_ = _e3358;
-                                                }
-                                                let _e3402 = phi_6240_;
-                                                phi_6241_ = _e3402;
-                                            } else {
-                                                phi_6241_ = _e3380;
-                                            }
-                                            let _e3404 = phi_6241_;
-                                            let _e3408 = bitcast<f32>((bitcast<u32>((_e3343 * 0.0009775171f)) ^ _e70));
-                                            let _e3414 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3404) * _e3408)) ^ _e70)));
-                                            let _e3420 = select(_e3404, 0u, (select(select(_e2138, _e3414, (_e3414 < _e2138)), _e2138, (_e3404 == 1023u)) > _e3225));
-                                            if (_e3420 < 1023u) {
-                                                phi_6275_ = (_e3420 + 1u);
-                                            } else {
-                                                phi_6275_ = _e3420;
-                                            }
-                                            let _e3424 = phi_6275_;
-                                            let _e3430 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3420) * _e3408)) ^ _e70)));
-                                            let _e3444 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3424) * _e3408)) ^ _e70)));
-                                            let _e3458 = (_e2151 - _e2114);
-                                            let _e3459 = (_e3458 > 0f);
-                                            if _e3459 {
-                                                phi_6346_ = (((_e3230 - _e2114) / _e3458) * 1023f);
+                                            let _e3616 = phi_6267_;
+                                            let _e3624 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3612)) - 8388608f) * _e3063)) ^ _e74)));
+                                            let _e3640 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3616)) - 8388608f) * _e3063)) ^ _e74)));
+                                            let _e3654 = (_e3370 - _e2734);
+                                            if _e3213 {
+                                                phi_6346_ = (_e3654 / _e3212);
                                             } else {
                                                 phi_6346_ = 0f;
                                             }
-                                            let _e3464 = phi_6346_;
-                                            let _e3466 = select(1023f, _e3464, (_e3464 < 1023f));
-                                            let _e3468 = select(0f, _e3466, (_e3466 > 0f));
-                                            let _e3473 = select(select(u32(_e3468), 0u, (_e3468 < 0f)), 4294967295u, (_e3468 > 4294967000f));
-                                            if (_e3473 > 0u) {
-                                                let _e3484 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3473) * bitcast<f32>((bitcast<u32>((_e3458 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e3489 = (select(select(_e2151, _e3484, (_e3484 < _e2151)), _e2151, (_e3473 == 1023u)) > _e3230);
-                                                if _e3489 {
-                                                    phi_6397_ = (_e3473 - 1u);
+                                            let _e3657 = phi_6346_;
+                                            let _e3659 = select(1023f, _e3657, (_e3657 < 1023f));
+                                            let _e3667 = bitcast<u32>(select(0i, select(select(i32(_e3659), i32(-2147483648), (_e3659 < -2147483600f)), 2147483647i, (_e3659 > 2147483500f)), (_e3659 == _e3659)));
+                                            if (_e3667 > 0u) {
+                                                let _e3676 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3667)) - 8388608f) * _e3212)) ^ _e74)) > _e3654);
+                                                if _e3676 {
+                                                    phi_6379_ = (_e3667 - 1u);
                                                 } else {
-                                                    phi_6397_ = u32();
+                                                    phi_6379_ = u32();
                                                 }
-                                                let _e3492 = phi_6397_;
-                                                phi_6399_ = _e3492;
-                                                phi_6400_ = select(true, false, _e3489);
+                                                let _e3679 = phi_6379_;
+                                                phi_6381_ = _e3679;
+                                                phi_6382_ = select(true, false, _e3676);
                                             } else {
-                                                phi_6399_ = u32();
-                                                phi_6400_ = true;
+                                                phi_6381_ = u32();
+                                                phi_6382_ = true;
                                             }
-                                            let _e3495 = phi_6399_;
-                                            let _e3497 = phi_6400_;
-                                            if _e3497 {
-                                                if (_e3473 < 1023u) {
-                                                    let _e3499 = (_e3473 + 1u);
-                                                    let _e3509 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3499) * bitcast<f32>((bitcast<u32>((_e3458 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_6438_ = select(_e3473, _e3499, (select(select(_e2151, _e3509, (_e3509 < _e2151)), _e2151, (_e3499 == 1023u)) <= _e3230));
+                                            let _e3682 = phi_6381_;
+                                            let _e3684 = phi_6382_;
+                                            if _e3684 {
+                                                if (_e3667 < 1023u) {
+                                                    let _e3686 = (_e3667 + 1u);
+                                                    phi_6404_ = select(_e3667, _e3686, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3686)) - 8388608f) * _e3212)) ^ _e74)) <= _e3654));
                                                 } else {
-                                                    phi_6438_ = _e3473;
+                                                    phi_6404_ = _e3667;
                                                 }
-                                                let _e3517 = phi_6438_;
-                                                phi_6439_ = _e3517;
+                                                let _e3697 = phi_6404_;
+                                                phi_6405_ = _e3697;
                                             } else {
-                                                phi_6439_ = _e3495;
+                                                phi_6405_ = _e3682;
                                             }
-                                            let _e3519 = phi_6439_;
-                                            let _e3523 = bitcast<f32>((bitcast<u32>((_e3458 * 0.0009775171f)) ^ _e70));
-                                            let _e3529 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3519) * _e3523)) ^ _e70)));
-                                            let _e3535 = select(_e3519, 0u, (select(select(_e2151, _e3529, (_e3529 < _e2151)), _e2151, (_e3519 == 1023u)) > _e3230));
-                                            if (_e3535 < 1023u) {
-                                                phi_6473_ = (_e3535 + 1u);
-                                            } else {
-                                                phi_6473_ = _e3535;
-                                            }
-                                            let _e3539 = phi_6473_;
-                                            let _e3545 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3535) * _e3523)) ^ _e70)));
-                                            let _e3559 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3539) * _e3523)) ^ _e70)));
-                                            let _e3577 = global_2.member[_e3213].member[3u];
-                                            let _e3582 = global_2.member[_e3213].member[4u];
-                                            let _e3587 = global_2.member[_e3213].member[5u];
-                                            if _e3232 {
-                                                phi_6550_ = (((_e3577 - _e2088) / _e3231) * 1023f);
-                                            } else {
-                                                phi_6550_ = 0f;
-                                            }
-                                            let _e3592 = phi_6550_;
-                                            let _e3594 = select(1023f, _e3592, (_e3592 < 1023f));
-                                            let _e3596 = select(0f, _e3594, (_e3594 > 0f));
-                                            let _e3601 = select(select(u32(_e3596), 0u, (_e3596 < 0f)), 4294967295u, (_e3596 > 4294967000f));
-                                            if (_e3601 > 0u) {
-                                                let _e3608 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3601) * _e3296)) ^ _e70)));
-                                                let _e3613 = (select(select(_e2125, _e3608, (_e3608 < _e2125)), _e2125, (_e3601 == 1023u)) > _e3577);
-                                                if _e3613 {
-                                                    phi_6601_ = (_e3601 - 1u);
-                                                } else {
-                                                    phi_6601_ = u32();
-                                                }
-                                                let _e3616 = phi_6601_;
-                                                phi_6603_ = _e3616;
-                                                phi_6604_ = select(true, false, _e3613);
-                                            } else {
-                                                phi_6603_ = u32();
-                                                phi_6604_ = true;
-                                            }
-                                            let _e3619 = phi_6603_;
-                                            let _e3621 = phi_6604_;
-                                            if _e3621 {
-                                                if (_e3601 < 1023u) {
-                                                    let _e3623 = (_e3601 + 1u);
-                                                    let _e3629 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3623) * _e3296)) ^ _e70)));
-                                                    phi_6642_ = select(_e3601, _e3623, (select(select(_e2125, _e3629, (_e3629 < _e2125)), _e2125, (_e3623 == 1023u)) <= _e3577));
-                                                } else {
-                                                    phi_6642_ = _e3601;
-                                                }
-                                                let _e3637 = phi_6642_;
-                                                phi_6643_ = _e3637;
-                                            } else {
-                                                phi_6643_ = _e3619;
-                                            }
-                                            let _e3639 = phi_6643_;
-                                            let _e3645 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3639) * _e3296)) ^ _e70)));
-                                            let _e3651 = select(_e3639, 0u, (select(select(_e2125, _e3645, (_e3645 < _e2125)), _e2125, (_e3639 == 1023u)) > _e3577));
-                                            if (_e3651 < 1023u) {
-                                                phi_6677_ = (_e3651 + 1u);
-                                            } else {
-                                                phi_6677_ = _e3651;
-                                            }
-                                            let _e3655 = phi_6677_;
-                                            let _e3661 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3651) * _e3296)) ^ _e70)));
-                                            let _e3675 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3655) * _e3296)) ^ _e70)));
-                                            if _e3344 {
-                                                phi_6746_ = (((_e3582 - _e2101) / _e3343) * 1023f);
-                                            } else {
-                                                phi_6746_ = 0f;
-                                            }
-                                            let _e3690 = phi_6746_;
-                                            let _e3692 = select(1023f, _e3690, (_e3690 < 1023f));
-                                            let _e3694 = select(0f, _e3692, (_e3692 > 0f));
-                                            let _e3699 = select(select(u32(_e3694), 0u, (_e3694 < 0f)), 4294967295u, (_e3694 > 4294967000f));
+                                            let _e3699 = phi_6405_;
                                             if (_e3699 > 0u) {
-                                                let _e3706 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3699) * _e3408)) ^ _e70)));
-                                                let _e3711 = (select(select(_e2138, _e3706, (_e3706 < _e2138)), _e2138, (_e3699 == 1023u)) > _e3582);
-                                                if _e3711 {
-                                                    phi_6797_ = (_e3699 - 1u);
+                                                let _e3708 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3699)) - 8388608f) * _e3212)) ^ _e74)));
+                                                let _e3713 = (select(select(_e2777, _e3708, (_e3708 < _e2777)), _e2777, (_e3699 == 1023u)) > _e3370);
+                                                if _e3713 {
+                                                    phi_6440_ = (_e3699 - 1u);
                                                 } else {
-                                                    phi_6797_ = u32();
+                                                    phi_6440_ = u32();
                                                 }
-                                                let _e3714 = phi_6797_;
-                                                phi_6799_ = _e3714;
-                                                phi_6800_ = select(true, false, _e3711);
+                                                let _e3716 = phi_6440_;
+                                                phi_6442_ = _e3716;
+                                                phi_6443_ = select(true, false, _e3713);
                                             } else {
-                                                phi_6799_ = u32();
-                                                phi_6800_ = true;
+                                                phi_6442_ = u32();
+                                                phi_6443_ = true;
                                             }
-                                            let _e3717 = phi_6799_;
-                                            let _e3719 = phi_6800_;
-                                            if _e3719 {
+                                            let _e3719 = phi_6442_;
+                                            let _e3721 = phi_6443_;
+                                            if _e3721 {
                                                 if (_e3699 < 1023u) {
-                                                    let _e3721 = (_e3699 + 1u);
-                                                    let _e3727 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3721) * _e3408)) ^ _e70)));
-                                                    phi_6838_ = select(_e3699, _e3721, (select(select(_e2138, _e3727, (_e3727 < _e2138)), _e2138, (_e3721 == 1023u)) <= _e3582));
+                                                    let _e3723 = (_e3699 + 1u);
+                                                    let _e3731 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3723)) - 8388608f) * _e3212)) ^ _e74)));
+                                                    phi_6483_ = select(_e3699, _e3723, (select(select(_e2777, _e3731, (_e3731 < _e2777)), _e2777, (_e3723 == 1023u)) <= _e3370));
                                                 } else {
-                                                    phi_6838_ = _e3699;
+                                                    phi_6483_ = _e3699;
                                                 }
-                                                let _e3735 = phi_6838_;
-                                                phi_6839_ = _e3735;
+                                                let _e3739 = phi_6483_;
+                                                phi_6484_ = _e3739;
                                             } else {
-                                                phi_6839_ = _e3717;
+                                                phi_6484_ = _e3719;
                                             }
-                                            let _e3737 = phi_6839_;
-                                            let _e3743 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3737) * _e3408)) ^ _e70)));
-                                            let _e3749 = select(_e3737, 0u, (select(select(_e2138, _e3743, (_e3743 < _e2138)), _e2138, (_e3737 == 1023u)) > _e3582));
-                                            if (_e3749 < 1023u) {
-                                                phi_6873_ = (_e3749 + 1u);
+                                            let _e3741 = phi_6484_;
+                                            let _e3749 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3741)) - 8388608f) * _e3212)) ^ _e74)));
+                                            let _e3755 = select(_e3741, 0u, (select(select(_e2777, _e3749, (_e3749 < _e2777)), _e2777, (_e3741 == 1023u)) > _e3370));
+                                            if (_e3755 < 1023u) {
+                                                phi_6520_ = (_e3755 + 1u);
                                             } else {
-                                                phi_6873_ = _e3749;
+                                                phi_6520_ = _e3755;
                                             }
-                                            let _e3753 = phi_6873_;
-                                            let _e3759 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3749) * _e3408)) ^ _e70)));
-                                            let _e3773 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3753) * _e3408)) ^ _e70)));
-                                            if _e3459 {
-                                                phi_6944_ = (((_e3587 - _e2114) / _e3458) * 1023f);
+                                            let _e3759 = phi_6520_;
+                                            let _e3767 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3755)) - 8388608f) * _e3212)) ^ _e74)));
+                                            let _e3783 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3759)) - 8388608f) * _e3212)) ^ _e74)));
+                                            let _e3801 = global_2.member[_e2894].member[6u];
+                                            let _e3806 = global_2.member[_e2894].member[7u];
+                                            let _e3811 = global_2.member[_e2894].member[8u];
+                                            let _e3812 = (_e3801 - _e2704);
+                                            if _e2918 {
+                                                phi_6605_ = (_e3812 / _e2917);
                                             } else {
-                                                phi_6944_ = 0f;
+                                                phi_6605_ = 0f;
                                             }
-                                            let _e3791 = phi_6944_;
-                                            let _e3793 = select(1023f, _e3791, (_e3791 < 1023f));
-                                            let _e3795 = select(0f, _e3793, (_e3793 > 0f));
-                                            let _e3800 = select(select(u32(_e3795), 0u, (_e3795 < 0f)), 4294967295u, (_e3795 > 4294967000f));
-                                            if (_e3800 > 0u) {
-                                                let _e3807 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3800) * _e3523)) ^ _e70)));
-                                                let _e3812 = (select(select(_e2151, _e3807, (_e3807 < _e2151)), _e2151, (_e3800 == 1023u)) > _e3587);
-                                                if _e3812 {
-                                                    phi_6995_ = (_e3800 - 1u);
+                                            let _e3815 = phi_6605_;
+                                            let _e3817 = select(1023f, _e3815, (_e3815 < 1023f));
+                                            let _e3825 = bitcast<u32>(select(0i, select(select(i32(_e3817), i32(-2147483648), (_e3817 < -2147483600f)), 2147483647i, (_e3817 > 2147483500f)), (_e3817 == _e3817)));
+                                            if (_e3825 > 0u) {
+                                                let _e3834 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3825)) - 8388608f) * _e2917)) ^ _e74)) > _e3812);
+                                                if _e3834 {
+                                                    phi_6638_ = (_e3825 - 1u);
                                                 } else {
-                                                    phi_6995_ = u32();
+                                                    phi_6638_ = u32();
                                                 }
-                                                let _e3815 = phi_6995_;
-                                                phi_6997_ = _e3815;
-                                                phi_6998_ = select(true, false, _e3812);
+                                                let _e3837 = phi_6638_;
+                                                phi_6640_ = _e3837;
+                                                phi_6641_ = select(true, false, _e3834);
                                             } else {
-                                                phi_6997_ = u32();
-                                                phi_6998_ = true;
+                                                phi_6640_ = u32();
+                                                phi_6641_ = true;
                                             }
-                                            let _e3818 = phi_6997_;
-                                            let _e3820 = phi_6998_;
-                                            if _e3820 {
-                                                if (_e3800 < 1023u) {
-                                                    let _e3822 = (_e3800 + 1u);
-                                                    let _e3828 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3822) * _e3523)) ^ _e70)));
-                                                    phi_7036_ = select(_e3800, _e3822, (select(select(_e2151, _e3828, (_e3828 < _e2151)), _e2151, (_e3822 == 1023u)) <= _e3587));
+                                            let _e3840 = phi_6640_;
+                                            let _e3842 = phi_6641_;
+                                            if _e3842 {
+                                                if (_e3825 < 1023u) {
+                                                    let _e3844 = (_e3825 + 1u);
+                                                    phi_6663_ = select(_e3825, _e3844, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3844)) - 8388608f) * _e2917)) ^ _e74)) <= _e3812));
                                                 } else {
-                                                    phi_7036_ = _e3800;
+                                                    phi_6663_ = _e3825;
                                                 }
-                                                let _e3836 = phi_7036_;
-                                                phi_7037_ = _e3836;
+                                                let _e3855 = phi_6663_;
+                                                phi_6664_ = _e3855;
                                             } else {
-                                                phi_7037_ = _e3818;
+                                                phi_6664_ = _e3840;
                                             }
-                                            let _e3838 = phi_7037_;
-                                            let _e3844 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3838) * _e3523)) ^ _e70)));
-                                            let _e3850 = select(_e3838, 0u, (select(select(_e2151, _e3844, (_e3844 < _e2151)), _e2151, (_e3838 == 1023u)) > _e3587));
-                                            if (_e3850 < 1023u) {
-                                                phi_7071_ = (_e3850 + 1u);
-                                            } else {
-                                                phi_7071_ = _e3850;
-                                            }
-                                            let _e3854 = phi_7071_;
-                                            let _e3860 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3850) * _e3523)) ^ _e70)));
-                                            let _e3874 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3854) * _e3523)) ^ _e70)));
-                                            let _e3892 = global_2.member[_e3213].member[6u];
-                                            let _e3897 = global_2.member[_e3213].member[7u];
-                                            let _e3902 = global_2.member[_e3213].member[8u];
-                                            if _e3232 {
-                                                phi_7148_ = (((_e3892 - _e2088) / _e3231) * 1023f);
-                                            } else {
-                                                phi_7148_ = 0f;
-                                            }
-                                            let _e3907 = phi_7148_;
-                                            let _e3909 = select(1023f, _e3907, (_e3907 < 1023f));
-                                            let _e3911 = select(0f, _e3909, (_e3909 > 0f));
-                                            let _e3916 = select(select(u32(_e3911), 0u, (_e3911 < 0f)), 4294967295u, (_e3911 > 4294967000f));
-                                            if (_e3916 > 0u) {
-                                                let _e3923 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3916) * _e3296)) ^ _e70)));
-                                                let _e3928 = (select(select(_e2125, _e3923, (_e3923 < _e2125)), _e2125, (_e3916 == 1023u)) > _e3892);
-                                                if _e3928 {
-                                                    phi_7199_ = (_e3916 - 1u);
+                                            let _e3857 = phi_6664_;
+                                            if (_e3857 > 0u) {
+                                                let _e3866 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3857)) - 8388608f) * _e2917)) ^ _e74)));
+                                                let _e3871 = (select(select(_e2747, _e3866, (_e3866 < _e2747)), _e2747, (_e3857 == 1023u)) > _e3801);
+                                                if _e3871 {
+                                                    phi_6699_ = (_e3857 - 1u);
                                                 } else {
-                                                    phi_7199_ = u32();
+                                                    phi_6699_ = u32();
                                                 }
-                                                let _e3931 = phi_7199_;
-                                                phi_7201_ = _e3931;
-                                                phi_7202_ = select(true, false, _e3928);
+                                                let _e3874 = phi_6699_;
+                                                phi_6701_ = _e3874;
+                                                phi_6702_ = select(true, false, _e3871);
                                             } else {
-                                                phi_7201_ = u32();
-                                                phi_7202_ = true;
+                                                phi_6701_ = u32();
+                                                phi_6702_ = true;
                                             }
-                                            let _e3934 = phi_7201_;
-                                            let _e3936 = phi_7202_;
-                                            if _e3936 {
-                                                if (_e3916 < 1023u) {
-                                                    let _e3938 = (_e3916 + 1u);
-                                                    let _e3944 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3938) * _e3296)) ^ _e70)));
-                                                    phi_7240_ = select(_e3916, _e3938, (select(select(_e2125, _e3944, (_e3944 < _e2125)), _e2125, (_e3938 == 1023u)) <= _e3892));
+                                            let _e3877 = phi_6701_;
+                                            let _e3879 = phi_6702_;
+                                            if _e3879 {
+                                                if (_e3857 < 1023u) {
+                                                    let _e3881 = (_e3857 + 1u);
+                                                    let _e3889 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3881)) - 8388608f) * _e2917)) ^ _e74)));
+                                                    phi_6742_ = select(_e3857, _e3881, (select(select(_e2747, _e3889, (_e3889 < _e2747)), _e2747, (_e3881 == 1023u)) <= _e3801));
                                                 } else {
-                                                    phi_7240_ = _e3916;
+                                                    phi_6742_ = _e3857;
                                                 }
-                                                let _e3952 = phi_7240_;
-                                                phi_7241_ = _e3952;
+                                                let _e3897 = phi_6742_;
+                                                phi_6743_ = _e3897;
                                             } else {
-                                                phi_7241_ = _e3934;
+                                                phi_6743_ = _e3877;
                                             }
-                                            let _e3954 = phi_7241_;
-                                            let _e3960 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3954) * _e3296)) ^ _e70)));
-                                            let _e3966 = select(_e3954, 0u, (select(select(_e2125, _e3960, (_e3960 < _e2125)), _e2125, (_e3954 == 1023u)) > _e3892));
-                                            if (_e3966 < 1023u) {
-                                                phi_7275_ = (_e3966 + 1u);
+                                            let _e3899 = phi_6743_;
+                                            let _e3907 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3899)) - 8388608f) * _e2917)) ^ _e74)));
+                                            let _e3913 = select(_e3899, 0u, (select(select(_e2747, _e3907, (_e3907 < _e2747)), _e2747, (_e3899 == 1023u)) > _e3801));
+                                            if (_e3913 < 1023u) {
+                                                phi_6779_ = (_e3913 + 1u);
                                             } else {
-                                                phi_7275_ = _e3966;
+                                                phi_6779_ = _e3913;
                                             }
-                                            let _e3970 = phi_7275_;
-                                            let _e3976 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3966) * _e3296)) ^ _e70)));
-                                            let _e3990 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3970) * _e3296)) ^ _e70)));
-                                            if _e3344 {
-                                                phi_7344_ = (((_e3897 - _e2101) / _e3343) * 1023f);
+                                            let _e3917 = phi_6779_;
+                                            let _e3925 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3913)) - 8388608f) * _e2917)) ^ _e74)));
+                                            let _e3941 = (_e2704 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3917)) - 8388608f) * _e2917)) ^ _e74)));
+                                            let _e3952 = (_e3806 - _e2719);
+                                            if _e3064 {
+                                                phi_6856_ = (_e3952 / _e3063);
                                             } else {
-                                                phi_7344_ = 0f;
+                                                phi_6856_ = 0f;
                                             }
-                                            let _e4005 = phi_7344_;
-                                            let _e4007 = select(1023f, _e4005, (_e4005 < 1023f));
-                                            let _e4009 = select(0f, _e4007, (_e4007 > 0f));
-                                            let _e4014 = select(select(u32(_e4009), 0u, (_e4009 < 0f)), 4294967295u, (_e4009 > 4294967000f));
-                                            if (_e4014 > 0u) {
-                                                let _e4021 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e4014) * _e3408)) ^ _e70)));
-                                                let _e4026 = (select(select(_e2138, _e4021, (_e4021 < _e2138)), _e2138, (_e4014 == 1023u)) > _e3897);
-                                                if _e4026 {
-                                                    phi_7395_ = (_e4014 - 1u);
+                                            let _e3955 = phi_6856_;
+                                            let _e3957 = select(1023f, _e3955, (_e3955 < 1023f));
+                                            let _e3965 = bitcast<u32>(select(0i, select(select(i32(_e3957), i32(-2147483648), (_e3957 < -2147483600f)), 2147483647i, (_e3957 > 2147483500f)), (_e3957 == _e3957)));
+                                            if (_e3965 > 0u) {
+                                                let _e3974 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3965)) - 8388608f) * _e3063)) ^ _e74)) > _e3952);
+                                                if _e3974 {
+                                                    phi_6889_ = (_e3965 - 1u);
                                                 } else {
-                                                    phi_7395_ = u32();
+                                                    phi_6889_ = u32();
                                                 }
-                                                let _e4029 = phi_7395_;
-                                                phi_7397_ = _e4029;
-                                                phi_7398_ = select(true, false, _e4026);
+                                                let _e3977 = phi_6889_;
+                                                phi_6891_ = _e3977;
+                                                phi_6892_ = select(true, false, _e3974);
                                             } else {
-                                                phi_7397_ = u32();
-                                                phi_7398_ = true;
+                                                phi_6891_ = u32();
+                                                phi_6892_ = true;
                                             }
-                                            let _e4032 = phi_7397_;
-                                            let _e4034 = phi_7398_;
-                                            if _e4034 {
-                                                if (_e4014 < 1023u) {
-                                                    let _e4036 = (_e4014 + 1u);
-                                                    let _e4042 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e4036) * _e3408)) ^ _e70)));
-                                                    phi_7436_ = select(_e4014, _e4036, (select(select(_e2138, _e4042, (_e4042 < _e2138)), _e2138, (_e4036 == 1023u)) <= _e3897));
+                                            let _e3980 = phi_6891_;
+                                            let _e3982 = phi_6892_;
+                                            if _e3982 {
+                                                if (_e3965 < 1023u) {
+                                                    let _e3984 = (_e3965 + 1u);
+                                                    phi_6914_ = select(_e3965, _e3984, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3984)) - 8388608f) * _e3063)) ^ _e74)) <= _e3952));
                                                 } else {
-                                                    phi_7436_ = _e4014;
+                                                    phi_6914_ = _e3965;
                                                 }
-                                                let _e4050 = phi_7436_;
-                                                phi_7437_ = _e4050;
+                                                let _e3995 = phi_6914_;
+                                                phi_6915_ = _e3995;
                                             } else {
-                                                phi_7437_ = _e4032;
+                                                phi_6915_ = _e3980;
                                             }
-                                            let _e4052 = phi_7437_;
-                                            let _e4058 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e4052) * _e3408)) ^ _e70)));
-                                            let _e4064 = select(_e4052, 0u, (select(select(_e2138, _e4058, (_e4058 < _e2138)), _e2138, (_e4052 == 1023u)) > _e3897));
-                                            if (_e4064 < 1023u) {
-                                                phi_7471_ = (_e4064 + 1u);
-                                            } else {
-                                                phi_7471_ = _e4064;
-                                            }
-                                            let _e4068 = phi_7471_;
-                                            let _e4074 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e4064) * _e3408)) ^ _e70)));
-                                            let _e4088 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e4068) * _e3408)) ^ _e70)));
-                                            if _e3459 {
-                                                phi_7542_ = (((_e3902 - _e2114) / _e3458) * 1023f);
-                                            } else {
-                                                phi_7542_ = 0f;
-                                            }
-                                            let _e4106 = phi_7542_;
-                                            let _e4108 = select(1023f, _e4106, (_e4106 < 1023f));
-                                            let _e4110 = select(0f, _e4108, (_e4108 > 0f));
-                                            let _e4115 = select(select(u32(_e4110), 0u, (_e4110 < 0f)), 4294967295u, (_e4110 > 4294967000f));
-                                            if (_e4115 > 0u) {
-                                                let _e4122 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e4115) * _e3523)) ^ _e70)));
-                                                let _e4127 = (select(select(_e2151, _e4122, (_e4122 < _e2151)), _e2151, (_e4115 == 1023u)) > _e3902);
-                                                if _e4127 {
-                                                    phi_7593_ = (_e4115 - 1u);
+                                            let _e3997 = phi_6915_;
+                                            if (_e3997 > 0u) {
+                                                let _e4006 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e3997)) - 8388608f) * _e3063)) ^ _e74)));
+                                                let _e4011 = (select(select(_e2762, _e4006, (_e4006 < _e2762)), _e2762, (_e3997 == 1023u)) > _e3806);
+                                                if _e4011 {
+                                                    phi_6950_ = (_e3997 - 1u);
                                                 } else {
-                                                    phi_7593_ = u32();
+                                                    phi_6950_ = u32();
                                                 }
-                                                let _e4130 = phi_7593_;
-                                                phi_7595_ = _e4130;
-                                                phi_7596_ = select(true, false, _e4127);
+                                                let _e4014 = phi_6950_;
+                                                phi_6952_ = _e4014;
+                                                phi_6953_ = select(true, false, _e4011);
                                             } else {
-                                                phi_7595_ = u32();
-                                                phi_7596_ = true;
+                                                phi_6952_ = u32();
+                                                phi_6953_ = true;
                                             }
-                                            let _e4133 = phi_7595_;
-                                            let _e4135 = phi_7596_;
-                                            if _e4135 {
-                                                if (_e4115 < 1023u) {
-                                                    let _e4137 = (_e4115 + 1u);
-                                                    let _e4143 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e4137) * _e3523)) ^ _e70)));
-                                                    phi_7634_ = select(_e4115, _e4137, (select(select(_e2151, _e4143, (_e4143 < _e2151)), _e2151, (_e4137 == 1023u)) <= _e3902));
+                                            let _e4017 = phi_6952_;
+                                            let _e4019 = phi_6953_;
+                                            if _e4019 {
+                                                if (_e3997 < 1023u) {
+                                                    let _e4021 = (_e3997 + 1u);
+                                                    let _e4029 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4021)) - 8388608f) * _e3063)) ^ _e74)));
+                                                    phi_6993_ = select(_e3997, _e4021, (select(select(_e2762, _e4029, (_e4029 < _e2762)), _e2762, (_e4021 == 1023u)) <= _e3806));
                                                 } else {
-                                                    phi_7634_ = _e4115;
+                                                    phi_6993_ = _e3997;
                                                 }
-                                                let _e4151 = phi_7634_;
-                                                phi_7635_ = _e4151;
+                                                let _e4037 = phi_6993_;
+                                                phi_6994_ = _e4037;
                                             } else {
-                                                phi_7635_ = _e4133;
+                                                phi_6994_ = _e4017;
                                             }
-                                            let _e4153 = phi_7635_;
-                                            let _e4159 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e4153) * _e3523)) ^ _e70)));
-                                            let _e4165 = select(_e4153, 0u, (select(select(_e2151, _e4159, (_e4159 < _e2151)), _e2151, (_e4153 == 1023u)) > _e3902));
-                                            if (_e4165 < 1023u) {
-                                                phi_7669_ = (_e4165 + 1u);
+                                            let _e4039 = phi_6994_;
+                                            let _e4047 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4039)) - 8388608f) * _e3063)) ^ _e74)));
+                                            let _e4053 = select(_e4039, 0u, (select(select(_e2762, _e4047, (_e4047 < _e2762)), _e2762, (_e4039 == 1023u)) > _e3806));
+                                            if (_e4053 < 1023u) {
+                                                phi_7030_ = (_e4053 + 1u);
                                             } else {
-                                                phi_7669_ = _e4165;
+                                                phi_7030_ = _e4053;
                                             }
-                                            let _e4169 = phi_7669_;
-                                            let _e4175 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e4165) * _e3523)) ^ _e70)));
-                                            let _e4189 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e4169) * _e3523)) ^ _e70)));
-                                            let _e4207 = global_2.member[_e3213].member_1;
-                                            if _e3215 {
+                                            let _e4057 = phi_7030_;
+                                            let _e4065 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4053)) - 8388608f) * _e3063)) ^ _e74)));
+                                            let _e4081 = (_e2719 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4057)) - 8388608f) * _e3063)) ^ _e74)));
+                                            let _e4095 = (_e3811 - _e2734);
+                                            if _e3213 {
+                                                phi_7109_ = (_e4095 / _e3212);
                                             } else {
-                                                phi_8376_ = true;
+                                                phi_7109_ = 0f;
+                                            }
+                                            let _e4098 = phi_7109_;
+                                            let _e4100 = select(1023f, _e4098, (_e4098 < 1023f));
+                                            let _e4108 = bitcast<u32>(select(0i, select(select(i32(_e4100), i32(-2147483648), (_e4100 < -2147483600f)), 2147483647i, (_e4100 > 2147483500f)), (_e4100 == _e4100)));
+                                            if (_e4108 > 0u) {
+                                                let _e4117 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4108)) - 8388608f) * _e3212)) ^ _e74)) > _e4095);
+                                                if _e4117 {
+                                                    phi_7142_ = (_e4108 - 1u);
+                                                } else {
+                                                    phi_7142_ = u32();
+                                                }
+                                                let _e4120 = phi_7142_;
+                                                phi_7144_ = _e4120;
+                                                phi_7145_ = select(true, false, _e4117);
+                                            } else {
+                                                phi_7144_ = u32();
+                                                phi_7145_ = true;
+                                            }
+                                            let _e4123 = phi_7144_;
+                                            let _e4125 = phi_7145_;
+                                            if _e4125 {
+                                                if (_e4108 < 1023u) {
+                                                    let _e4127 = (_e4108 + 1u);
+                                                    phi_7167_ = select(_e4108, _e4127, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4127)) - 8388608f) * _e3212)) ^ _e74)) <= _e4095));
+                                                } else {
+                                                    phi_7167_ = _e4108;
+                                                }
+                                                let _e4138 = phi_7167_;
+                                                phi_7168_ = _e4138;
+                                            } else {
+                                                phi_7168_ = _e4123;
+                                            }
+                                            let _e4140 = phi_7168_;
+                                            if (_e4140 > 0u) {
+                                                let _e4149 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4140)) - 8388608f) * _e3212)) ^ _e74)));
+                                                let _e4154 = (select(select(_e2777, _e4149, (_e4149 < _e2777)), _e2777, (_e4140 == 1023u)) > _e3811);
+                                                if _e4154 {
+                                                    phi_7203_ = (_e4140 - 1u);
+                                                } else {
+                                                    phi_7203_ = u32();
+                                                }
+                                                let _e4157 = phi_7203_;
+                                                phi_7205_ = _e4157;
+                                                phi_7206_ = select(true, false, _e4154);
+                                            } else {
+                                                phi_7205_ = u32();
+                                                phi_7206_ = true;
+                                            }
+                                            let _e4160 = phi_7205_;
+                                            let _e4162 = phi_7206_;
+                                            if _e4162 {
+                                                if (_e4140 < 1023u) {
+                                                    let _e4164 = (_e4140 + 1u);
+                                                    let _e4172 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4164)) - 8388608f) * _e3212)) ^ _e74)));
+                                                    phi_7246_ = select(_e4140, _e4164, (select(select(_e2777, _e4172, (_e4172 < _e2777)), _e2777, (_e4164 == 1023u)) <= _e3811));
+                                                } else {
+                                                    phi_7246_ = _e4140;
+                                                }
+                                                let _e4180 = phi_7246_;
+                                                phi_7247_ = _e4180;
+                                            } else {
+                                                phi_7247_ = _e4160;
+                                            }
+                                            let _e4182 = phi_7247_;
+                                            let _e4190 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4182)) - 8388608f) * _e3212)) ^ _e74)));
+                                            let _e4196 = select(_e4182, 0u, (select(select(_e2777, _e4190, (_e4190 < _e2777)), _e2777, (_e4182 == 1023u)) > _e3811));
+                                            if (_e4196 < 1023u) {
+                                                phi_7283_ = (_e4196 + 1u);
+                                            } else {
+                                                phi_7283_ = _e4196;
+                                            }
+                                            let _e4200 = phi_7283_;
+                                            let _e4208 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4196)) - 8388608f) * _e3212)) ^ _e74)));
+                                            let _e4224 = (_e2734 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4200)) - 8388608f) * _e3212)) ^ _e74)));
+                                            let _e4242 = global_2.member[_e2894].member_1;
+                                            if _e2896 {
+                                            } else {
+                                                phi_9935_ = true;
                                                 break;
                                             }
-                                            global_6.member[_e3213] = type_43(array<u32, 3>(((select(_e3308, _e3312, (bitcast<f32>((bitcast<u32>((select(select(_e2125, _e3332, (_e3332 < _e2125)), _e2125, (_e3312 == 1023u)) - _e3220)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3220 - select(select(_e2125, _e3318, (_e3318 < _e2125)), _e2125, (_e3308 == 1023u)))) & 2147483647u)))) | (select(_e3420, _e3424, (bitcast<f32>((bitcast<u32>((select(select(_e2138, _e3444, (_e3444 < _e2138)), _e2138, (_e3424 == 1023u)) - _e3225)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3225 - select(select(_e2138, _e3430, (_e3430 < _e2138)), _e2138, (_e3420 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e3535, _e3539, (bitcast<f32>((bitcast<u32>((select(select(_e2151, _e3559, (_e3559 < _e2151)), _e2151, (_e3539 == 1023u)) - _e3230)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3230 - select(select(_e2151, _e3545, (_e3545 < _e2151)), _e2151, (_e3535 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e3651, _e3655, (bitcast<f32>((bitcast<u32>((select(select(_e2125, _e3675, (_e3675 < _e2125)), _e2125, (_e3655 == 1023u)) - _e3577)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3577 - select(select(_e2125, _e3661, (_e3661 < _e2125)), _e2125, (_e3651 == 1023u)))) & 2147483647u)))) | (select(_e3749, _e3753, (bitcast<f32>((bitcast<u32>((select(select(_e2138, _e3773, (_e3773 < _e2138)), _e2138, (_e3753 == 1023u)) - _e3582)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3582 - select(select(_e2138, _e3759, (_e3759 < _e2138)), _e2138, (_e3749 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e3850, _e3854, (bitcast<f32>((bitcast<u32>((select(select(_e2151, _e3874, (_e3874 < _e2151)), _e2151, (_e3854 == 1023u)) - _e3587)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3587 - select(select(_e2151, _e3860, (_e3860 < _e2151)), _e2151, (_e3850 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e3966, _e3970, (bitcast<f32>((bitcast<u32>((select(select(_e2125, _e3990, (_e3990 < _e2125)), _e2125, (_e3970 == 1023u)) - _e3892)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3892 - select(select(_e2125, _e3976, (_e3976 < _e2125)), _e2125, (_e3966 == 1023u)))) & 2147483647u)))) | (select(_e4064, _e4068, (bitcast<f32>((bitcast<u32>((select(select(_e2138, _e4088, (_e4088 < _e2138)), _e2138, (_e4068 == 1023u)) - _e3897)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3897 - select(select(_e2138, _e4074, (_e4074 < _e2138)), _e2138, (_e4064 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e4165, _e4169, (bitcast<f32>((bitcast<u32>((select(select(_e2151, _e4189, (_e4189 < _e2151)), _e2151, (_e4169 == 1023u)) - _e3902)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3902 - select(select(_e2151, _e4175, (_e4175 < _e2151)), _e2151, (_e4165 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i)))), _e4207);
+                                            global_6.member[_e2894] = type_43(array<u32, 3>(((select(_e3019, _e3023, (bitcast<f32>((bitcast<u32>((select(select(_e2747, _e3047, (_e3047 < _e2747)), _e2747, (_e3023 == 1023u)) - _e2901)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2901 - select(select(_e2747, _e3031, (_e3031 < _e2747)), _e2747, (_e3019 == 1023u)))) & 2147483647u)))) | (select(_e3165, _e3169, (bitcast<f32>((bitcast<u32>((select(select(_e2762, _e3193, (_e3193 < _e2762)), _e2762, (_e3169 == 1023u)) - _e2906)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2906 - select(select(_e2762, _e3177, (_e3177 < _e2762)), _e2762, (_e3165 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e3314, _e3318, (bitcast<f32>((bitcast<u32>((select(select(_e2777, _e3342, (_e3342 < _e2777)), _e2777, (_e3318 == 1023u)) - _e2911)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2911 - select(select(_e2777, _e3326, (_e3326 < _e2777)), _e2777, (_e3314 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e3472, _e3476, (bitcast<f32>((bitcast<u32>((select(select(_e2747, _e3500, (_e3500 < _e2747)), _e2747, (_e3476 == 1023u)) - _e3360)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3360 - select(select(_e2747, _e3484, (_e3484 < _e2747)), _e2747, (_e3472 == 1023u)))) & 2147483647u)))) | (select(_e3612, _e3616, (bitcast<f32>((bitcast<u32>((select(select(_e2762, _e3640, (_e3640 < _e2762)), _e2762, (_e3616 == 1023u)) - _e3365)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3365 - select(select(_e2762, _e3624, (_e3624 < _e2762)), _e2762, (_e3612 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e3755, _e3759, (bitcast<f32>((bitcast<u32>((select(select(_e2777, _e3783, (_e3783 < _e2777)), _e2777, (_e3759 == 1023u)) - _e3370)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3370 - select(select(_e2777, _e3767, (_e3767 < _e2777)), _e2777, (_e3755 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e3913, _e3917, (bitcast<f32>((bitcast<u32>((select(select(_e2747, _e3941, (_e3941 < _e2747)), _e2747, (_e3917 == 1023u)) - _e3801)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3801 - select(select(_e2747, _e3925, (_e3925 < _e2747)), _e2747, (_e3913 == 1023u)))) & 2147483647u)))) | (select(_e4053, _e4057, (bitcast<f32>((bitcast<u32>((select(select(_e2762, _e4081, (_e4081 < _e2762)), _e2762, (_e4057 == 1023u)) - _e3806)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3806 - select(select(_e2762, _e4065, (_e4065 < _e2762)), _e2762, (_e4053 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e4196, _e4200, (bitcast<f32>((bitcast<u32>((select(select(_e2777, _e4224, (_e4224 < _e2777)), _e2777, (_e4200 == 1023u)) - _e3811)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3811 - select(select(_e2777, _e4208, (_e4208 < _e2777)), _e2777, (_e4196 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i)))), _e4242);
                                         }
                                     }
                                 }
                                 continue;
                                 continuing {
-                                    phi_5889_ = _e3205;
-                                    phi_8376_ = _e3184;
-                                    break if !(_e3211);
+                                    phi_5012_ = _e2886;
+                                    phi_9935_ = _e1102;
+                                    break if !(_e2892);
                                 }
                             }
-                            let _e4213 = phi_8376_;
-                            if _e4213 {
+                            let _e4248 = phi_9935_;
+                            if _e4248 {
+                                break;
+                            }
+                            phi_10472_ = _e4248;
+                        } else {
+                            phi_10472_ = _e1102;
+                        }
+                        let _e4250 = phi_10472_;
+                        if _e70 {
+                        } else {
+                            break;
+                        }
+                        if ((_e1137 & 2147483648u) != 0u) {
+                            phi_7378_ = type_4(0u, ((_e1137 >> bitcast<u32>(28u)) & 7u));
+                            loop {
+                                let _e4258 = phi_7378_;
+                                if (_e4258.member < _e4258.member_1) {
+                                    phi_7379_ = type_4((_e4258.member + 1u), _e4258.member_1);
+                                    phi_7402_ = type_4(1u, _e4258.member);
+                                } else {
+                                    phi_7379_ = _e4258;
+                                    phi_7402_ = type_4(0u, type_4().member_1);
+                                }
+                                let _e4271 = phi_7379_;
+                                let _e4273 = phi_7402_;
+                                let _e4277 = (bitcast<i32>(_e4273.member) != 0i);
+                                if _e4277 {
+                                    let _e4279 = ((_e1137 & 268435455u) + _e4273.member_1);
+                                    let _e4280 = (_e4279 < _e55);
+                                    if _e4280 {
+                                        let _e4281 = (_e4279 < _e59);
+                                        if _e4281 {
+                                            if _e4280 {
+                                            } else {
+                                                phi_10468_ = true;
+                                                break;
+                                            }
+                                            let _e4286 = global_2.member[_e4279].member[0u];
+                                            let _e4291 = global_2.member[_e4279].member[1u];
+                                            let _e4296 = global_2.member[_e4279].member[2u];
+                                            let _e4297 = (_e4286 - _e2790);
+                                            let _e4302 = bitcast<f32>((bitcast<u32>(((_e2833 - _e2790) * 0.0009775171f)) ^ _e74));
+                                            let _e4303 = (_e4302 > 0f);
+                                            if _e4303 {
+                                                phi_7445_ = (_e4297 / _e4302);
+                                            } else {
+                                                phi_7445_ = 0f;
+                                            }
+                                            let _e4306 = phi_7445_;
+                                            let _e4308 = select(1023f, _e4306, (_e4306 < 1023f));
+                                            let _e4316 = bitcast<u32>(select(0i, select(select(i32(_e4308), i32(-2147483648), (_e4308 < -2147483600f)), 2147483647i, (_e4308 > 2147483500f)), (_e4308 == _e4308)));
+                                            if (_e4316 > 0u) {
+                                                let _e4325 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4316)) - 8388608f) * _e4302)) ^ _e74)) > _e4297);
+                                                if _e4325 {
+                                                    phi_7478_ = (_e4316 - 1u);
+                                                } else {
+                                                    phi_7478_ = u32();
+                                                }
+                                                let _e4328 = phi_7478_;
+                                                phi_7480_ = _e4328;
+                                                phi_7481_ = select(true, false, _e4325);
+                                            } else {
+                                                phi_7480_ = u32();
+                                                phi_7481_ = true;
+                                            }
+                                            let _e4331 = phi_7480_;
+                                            let _e4333 = phi_7481_;
+                                            if _e4333 {
+                                                if (_e4316 < 1023u) {
+                                                    let _e4335 = (_e4316 + 1u);
+                                                    phi_7503_ = select(_e4316, _e4335, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4335)) - 8388608f) * _e4302)) ^ _e74)) <= _e4297));
+                                                } else {
+                                                    phi_7503_ = _e4316;
+                                                }
+                                                let _e4346 = phi_7503_;
+                                                phi_7504_ = _e4346;
+                                            } else {
+                                                phi_7504_ = _e4331;
+                                            }
+                                            let _e4348 = phi_7504_;
+                                            if (_e4348 > 0u) {
+                                                let _e4357 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4348)) - 8388608f) * _e4302)) ^ _e74)));
+                                                let _e4362 = (select(select(_e2833, _e4357, (_e4357 < _e2833)), _e2833, (_e4348 == 1023u)) > _e4286);
+                                                if _e4362 {
+                                                    phi_7539_ = (_e4348 - 1u);
+                                                } else {
+                                                    phi_7539_ = u32();
+                                                }
+                                                let _e4365 = phi_7539_;
+                                                phi_7541_ = _e4365;
+                                                phi_7542_ = select(true, false, _e4362);
+                                            } else {
+                                                phi_7541_ = u32();
+                                                phi_7542_ = true;
+                                            }
+                                            let _e4368 = phi_7541_;
+                                            let _e4370 = phi_7542_;
+                                            if _e4370 {
+                                                if (_e4348 < 1023u) {
+                                                    let _e4372 = (_e4348 + 1u);
+                                                    let _e4380 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4372)) - 8388608f) * _e4302)) ^ _e74)));
+                                                    phi_7582_ = select(_e4348, _e4372, (select(select(_e2833, _e4380, (_e4380 < _e2833)), _e2833, (_e4372 == 1023u)) <= _e4286));
+                                                } else {
+                                                    phi_7582_ = _e4348;
+                                                }
+                                                let _e4388 = phi_7582_;
+                                                phi_7583_ = _e4388;
+                                            } else {
+                                                phi_7583_ = _e4368;
+                                            }
+                                            let _e4390 = phi_7583_;
+                                            let _e4398 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4390)) - 8388608f) * _e4302)) ^ _e74)));
+                                            let _e4404 = select(_e4390, 0u, (select(select(_e2833, _e4398, (_e4398 < _e2833)), _e2833, (_e4390 == 1023u)) > _e4286));
+                                            if (_e4404 < 1023u) {
+                                                phi_7619_ = (_e4404 + 1u);
+                                            } else {
+                                                phi_7619_ = _e4404;
+                                            }
+                                            let _e4408 = phi_7619_;
+                                            let _e4416 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4404)) - 8388608f) * _e4302)) ^ _e74)));
+                                            let _e4432 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4408)) - 8388608f) * _e4302)) ^ _e74)));
+                                            let _e4443 = (_e4291 - _e2805);
+                                            let _e4448 = bitcast<f32>((bitcast<u32>(((_e2848 - _e2805) * 0.0009775171f)) ^ _e74));
+                                            let _e4449 = (_e4448 > 0f);
+                                            if _e4449 {
+                                                phi_7696_ = (_e4443 / _e4448);
+                                            } else {
+                                                phi_7696_ = 0f;
+                                            }
+                                            let _e4452 = phi_7696_;
+                                            let _e4454 = select(1023f, _e4452, (_e4452 < 1023f));
+                                            let _e4462 = bitcast<u32>(select(0i, select(select(i32(_e4454), i32(-2147483648), (_e4454 < -2147483600f)), 2147483647i, (_e4454 > 2147483500f)), (_e4454 == _e4454)));
+                                            if (_e4462 > 0u) {
+                                                let _e4471 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4462)) - 8388608f) * _e4448)) ^ _e74)) > _e4443);
+                                                if _e4471 {
+                                                    phi_7729_ = (_e4462 - 1u);
+                                                } else {
+                                                    phi_7729_ = u32();
+                                                }
+                                                let _e4474 = phi_7729_;
+                                                phi_7731_ = _e4474;
+                                                phi_7732_ = select(true, false, _e4471);
+                                            } else {
+                                                phi_7731_ = u32();
+                                                phi_7732_ = true;
+                                            }
+                                            let _e4477 = phi_7731_;
+                                            let _e4479 = phi_7732_;
+                                            if _e4479 {
+                                                if (_e4462 < 1023u) {
+                                                    let _e4481 = (_e4462 + 1u);
+                                                    phi_7754_ = select(_e4462, _e4481, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4481)) - 8388608f) * _e4448)) ^ _e74)) <= _e4443));
+                                                } else {
+                                                    phi_7754_ = _e4462;
+                                                }
+                                                let _e4492 = phi_7754_;
+                                                phi_7755_ = _e4492;
+                                            } else {
+                                                phi_7755_ = _e4477;
+                                            }
+                                            let _e4494 = phi_7755_;
+                                            if (_e4494 > 0u) {
+                                                let _e4503 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4494)) - 8388608f) * _e4448)) ^ _e74)));
+                                                let _e4508 = (select(select(_e2848, _e4503, (_e4503 < _e2848)), _e2848, (_e4494 == 1023u)) > _e4291);
+                                                if _e4508 {
+                                                    phi_7790_ = (_e4494 - 1u);
+                                                } else {
+                                                    phi_7790_ = u32();
+                                                }
+                                                let _e4511 = phi_7790_;
+                                                phi_7792_ = _e4511;
+                                                phi_7793_ = select(true, false, _e4508);
+                                            } else {
+                                                phi_7792_ = u32();
+                                                phi_7793_ = true;
+                                            }
+                                            let _e4514 = phi_7792_;
+                                            let _e4516 = phi_7793_;
+                                            if _e4516 {
+                                                if (_e4494 < 1023u) {
+                                                    let _e4518 = (_e4494 + 1u);
+                                                    let _e4526 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4518)) - 8388608f) * _e4448)) ^ _e74)));
+                                                    phi_7833_ = select(_e4494, _e4518, (select(select(_e2848, _e4526, (_e4526 < _e2848)), _e2848, (_e4518 == 1023u)) <= _e4291));
+                                                } else {
+                                                    phi_7833_ = _e4494;
+                                                }
+                                                let _e4534 = phi_7833_;
+                                                phi_7834_ = _e4534;
+                                            } else {
+                                                phi_7834_ = _e4514;
+                                            }
+                                            let _e4536 = phi_7834_;
+                                            let _e4544 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4536)) - 8388608f) * _e4448)) ^ _e74)));
+                                            let _e4550 = select(_e4536, 0u, (select(select(_e2848, _e4544, (_e4544 < _e2848)), _e2848, (_e4536 == 1023u)) > _e4291));
+                                            if (_e4550 < 1023u) {
+                                                phi_7870_ = (_e4550 + 1u);
+                                            } else {
+                                                phi_7870_ = _e4550;
+                                            }
+                                            let _e4554 = phi_7870_;
+                                            let _e4562 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4550)) - 8388608f) * _e4448)) ^ _e74)));
+                                            let _e4578 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4554)) - 8388608f) * _e4448)) ^ _e74)));
+                                            let _e4592 = (_e4296 - _e2820);
+                                            let _e4597 = bitcast<f32>((bitcast<u32>(((_e2863 - _e2820) * 0.0009775171f)) ^ _e74));
+                                            let _e4598 = (_e4597 > 0f);
+                                            if _e4598 {
+                                                phi_7949_ = (_e4592 / _e4597);
+                                            } else {
+                                                phi_7949_ = 0f;
+                                            }
+                                            let _e4601 = phi_7949_;
+                                            let _e4603 = select(1023f, _e4601, (_e4601 < 1023f));
+                                            let _e4611 = bitcast<u32>(select(0i, select(select(i32(_e4603), i32(-2147483648), (_e4603 < -2147483600f)), 2147483647i, (_e4603 > 2147483500f)), (_e4603 == _e4603)));
+                                            if (_e4611 > 0u) {
+                                                let _e4620 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4611)) - 8388608f) * _e4597)) ^ _e74)) > _e4592);
+                                                if _e4620 {
+                                                    phi_7982_ = (_e4611 - 1u);
+                                                } else {
+                                                    phi_7982_ = u32();
+                                                }
+                                                let _e4623 = phi_7982_;
+                                                phi_7984_ = _e4623;
+                                                phi_7985_ = select(true, false, _e4620);
+                                            } else {
+                                                phi_7984_ = u32();
+                                                phi_7985_ = true;
+                                            }
+                                            let _e4626 = phi_7984_;
+                                            let _e4628 = phi_7985_;
+                                            if _e4628 {
+                                                if (_e4611 < 1023u) {
+                                                    let _e4630 = (_e4611 + 1u);
+                                                    phi_8007_ = select(_e4611, _e4630, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4630)) - 8388608f) * _e4597)) ^ _e74)) <= _e4592));
+                                                } else {
+                                                    phi_8007_ = _e4611;
+                                                }
+                                                let _e4641 = phi_8007_;
+                                                phi_8008_ = _e4641;
+                                            } else {
+                                                phi_8008_ = _e4626;
+                                            }
+                                            let _e4643 = phi_8008_;
+                                            if (_e4643 > 0u) {
+                                                let _e4652 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4643)) - 8388608f) * _e4597)) ^ _e74)));
+                                                let _e4657 = (select(select(_e2863, _e4652, (_e4652 < _e2863)), _e2863, (_e4643 == 1023u)) > _e4296);
+                                                if _e4657 {
+                                                    phi_8043_ = (_e4643 - 1u);
+                                                } else {
+                                                    phi_8043_ = u32();
+                                                }
+                                                let _e4660 = phi_8043_;
+                                                phi_8045_ = _e4660;
+                                                phi_8046_ = select(true, false, _e4657);
+                                            } else {
+                                                phi_8045_ = u32();
+                                                phi_8046_ = true;
+                                            }
+                                            let _e4663 = phi_8045_;
+                                            let _e4665 = phi_8046_;
+                                            if _e4665 {
+                                                if (_e4643 < 1023u) {
+                                                    let _e4667 = (_e4643 + 1u);
+                                                    let _e4675 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4667)) - 8388608f) * _e4597)) ^ _e74)));
+                                                    phi_8086_ = select(_e4643, _e4667, (select(select(_e2863, _e4675, (_e4675 < _e2863)), _e2863, (_e4667 == 1023u)) <= _e4296));
+                                                } else {
+                                                    phi_8086_ = _e4643;
+                                                }
+                                                let _e4683 = phi_8086_;
+                                                phi_8087_ = _e4683;
+                                            } else {
+                                                phi_8087_ = _e4663;
+                                            }
+                                            let _e4685 = phi_8087_;
+                                            let _e4693 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4685)) - 8388608f) * _e4597)) ^ _e74)));
+                                            let _e4699 = select(_e4685, 0u, (select(select(_e2863, _e4693, (_e4693 < _e2863)), _e2863, (_e4685 == 1023u)) > _e4296));
+                                            if (_e4699 < 1023u) {
+                                                phi_8123_ = (_e4699 + 1u);
+                                            } else {
+                                                phi_8123_ = _e4699;
+                                            }
+                                            let _e4703 = phi_8123_;
+                                            let _e4711 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4699)) - 8388608f) * _e4597)) ^ _e74)));
+                                            let _e4727 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4703)) - 8388608f) * _e4597)) ^ _e74)));
+                                            let _e4745 = global_2.member[_e4279].member[3u];
+                                            let _e4750 = global_2.member[_e4279].member[4u];
+                                            let _e4755 = global_2.member[_e4279].member[5u];
+                                            let _e4756 = (_e4745 - _e2790);
+                                            if _e4303 {
+                                                phi_8208_ = (_e4756 / _e4302);
+                                            } else {
+                                                phi_8208_ = 0f;
+                                            }
+                                            let _e4759 = phi_8208_;
+                                            let _e4761 = select(1023f, _e4759, (_e4759 < 1023f));
+                                            let _e4769 = bitcast<u32>(select(0i, select(select(i32(_e4761), i32(-2147483648), (_e4761 < -2147483600f)), 2147483647i, (_e4761 > 2147483500f)), (_e4761 == _e4761)));
+                                            if (_e4769 > 0u) {
+                                                let _e4778 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4769)) - 8388608f) * _e4302)) ^ _e74)) > _e4756);
+                                                if _e4778 {
+                                                    phi_8241_ = (_e4769 - 1u);
+                                                } else {
+                                                    phi_8241_ = u32();
+                                                }
+                                                let _e4781 = phi_8241_;
+                                                phi_8243_ = _e4781;
+                                                phi_8244_ = select(true, false, _e4778);
+                                            } else {
+                                                phi_8243_ = u32();
+                                                phi_8244_ = true;
+                                            }
+                                            let _e4784 = phi_8243_;
+                                            let _e4786 = phi_8244_;
+                                            if _e4786 {
+                                                if (_e4769 < 1023u) {
+                                                    let _e4788 = (_e4769 + 1u);
+                                                    phi_8266_ = select(_e4769, _e4788, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4788)) - 8388608f) * _e4302)) ^ _e74)) <= _e4756));
+                                                } else {
+                                                    phi_8266_ = _e4769;
+                                                }
+                                                let _e4799 = phi_8266_;
+                                                phi_8267_ = _e4799;
+                                            } else {
+                                                phi_8267_ = _e4784;
+                                            }
+                                            let _e4801 = phi_8267_;
+                                            if (_e4801 > 0u) {
+                                                let _e4810 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4801)) - 8388608f) * _e4302)) ^ _e74)));
+                                                let _e4815 = (select(select(_e2833, _e4810, (_e4810 < _e2833)), _e2833, (_e4801 == 1023u)) > _e4745);
+                                                if _e4815 {
+                                                    phi_8302_ = (_e4801 - 1u);
+                                                } else {
+                                                    phi_8302_ = u32();
+                                                }
+                                                let _e4818 = phi_8302_;
+                                                phi_8304_ = _e4818;
+                                                phi_8305_ = select(true, false, _e4815);
+                                            } else {
+                                                phi_8304_ = u32();
+                                                phi_8305_ = true;
+                                            }
+                                            let _e4821 = phi_8304_;
+                                            let _e4823 = phi_8305_;
+                                            if _e4823 {
+                                                if (_e4801 < 1023u) {
+                                                    let _e4825 = (_e4801 + 1u);
+                                                    let _e4833 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4825)) - 8388608f) * _e4302)) ^ _e74)));
+                                                    phi_8345_ = select(_e4801, _e4825, (select(select(_e2833, _e4833, (_e4833 < _e2833)), _e2833, (_e4825 == 1023u)) <= _e4745));
+                                                } else {
+                                                    phi_8345_ = _e4801;
+                                                }
+                                                let _e4841 = phi_8345_;
+                                                phi_8346_ = _e4841;
+                                            } else {
+                                                phi_8346_ = _e4821;
+                                            }
+                                            let _e4843 = phi_8346_;
+                                            let _e4851 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4843)) - 8388608f) * _e4302)) ^ _e74)));
+                                            let _e4857 = select(_e4843, 0u, (select(select(_e2833, _e4851, (_e4851 < _e2833)), _e2833, (_e4843 == 1023u)) > _e4745));
+                                            if (_e4857 < 1023u) {
+                                                phi_8382_ = (_e4857 + 1u);
+                                            } else {
+                                                phi_8382_ = _e4857;
+                                            }
+                                            let _e4861 = phi_8382_;
+                                            let _e4869 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4857)) - 8388608f) * _e4302)) ^ _e74)));
+                                            let _e4885 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4861)) - 8388608f) * _e4302)) ^ _e74)));
+                                            let _e4896 = (_e4750 - _e2805);
+                                            if _e4449 {
+                                                phi_8459_ = (_e4896 / _e4448);
+                                            } else {
+                                                phi_8459_ = 0f;
+                                            }
+                                            let _e4899 = phi_8459_;
+                                            let _e4901 = select(1023f, _e4899, (_e4899 < 1023f));
+                                            let _e4909 = bitcast<u32>(select(0i, select(select(i32(_e4901), i32(-2147483648), (_e4901 < -2147483600f)), 2147483647i, (_e4901 > 2147483500f)), (_e4901 == _e4901)));
+                                            if (_e4909 > 0u) {
+                                                let _e4918 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4909)) - 8388608f) * _e4448)) ^ _e74)) > _e4896);
+                                                if _e4918 {
+                                                    phi_8492_ = (_e4909 - 1u);
+                                                } else {
+                                                    phi_8492_ = u32();
+                                                }
+                                                let _e4921 = phi_8492_;
+                                                phi_8494_ = _e4921;
+                                                phi_8495_ = select(true, false, _e4918);
+                                            } else {
+                                                phi_8494_ = u32();
+                                                phi_8495_ = true;
+                                            }
+                                            let _e4924 = phi_8494_;
+                                            let _e4926 = phi_8495_;
+                                            if _e4926 {
+                                                if (_e4909 < 1023u) {
+                                                    let _e4928 = (_e4909 + 1u);
+                                                    phi_8517_ = select(_e4909, _e4928, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4928)) - 8388608f) * _e4448)) ^ _e74)) <= _e4896));
+                                                } else {
+                                                    phi_8517_ = _e4909;
+                                                }
+                                                let _e4939 = phi_8517_;
+                                                phi_8518_ = _e4939;
+                                            } else {
+                                                phi_8518_ = _e4924;
+                                            }
+                                            let _e4941 = phi_8518_;
+                                            if (_e4941 > 0u) {
+                                                let _e4950 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4941)) - 8388608f) * _e4448)) ^ _e74)));
+                                                let _e4955 = (select(select(_e2848, _e4950, (_e4950 < _e2848)), _e2848, (_e4941 == 1023u)) > _e4750);
+                                                if _e4955 {
+                                                    phi_8553_ = (_e4941 - 1u);
+                                                } else {
+                                                    phi_8553_ = u32();
+                                                }
+                                                let _e4958 = phi_8553_;
+                                                phi_8555_ = _e4958;
+                                                phi_8556_ = select(true, false, _e4955);
+                                            } else {
+                                                phi_8555_ = u32();
+                                                phi_8556_ = true;
+                                            }
+                                            let _e4961 = phi_8555_;
+                                            let _e4963 = phi_8556_;
+                                            if _e4963 {
+                                                if (_e4941 < 1023u) {
+                                                    let _e4965 = (_e4941 + 1u);
+                                                    let _e4973 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4965)) - 8388608f) * _e4448)) ^ _e74)));
+                                                    phi_8596_ = select(_e4941, _e4965, (select(select(_e2848, _e4973, (_e4973 < _e2848)), _e2848, (_e4965 == 1023u)) <= _e4750));
+                                                } else {
+                                                    phi_8596_ = _e4941;
+                                                }
+                                                let _e4981 = phi_8596_;
+                                                phi_8597_ = _e4981;
+                                            } else {
+                                                phi_8597_ = _e4961;
+                                            }
+                                            let _e4983 = phi_8597_;
+                                            let _e4991 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4983)) - 8388608f) * _e4448)) ^ _e74)));
+                                            let _e4997 = select(_e4983, 0u, (select(select(_e2848, _e4991, (_e4991 < _e2848)), _e2848, (_e4983 == 1023u)) > _e4750));
+                                            if (_e4997 < 1023u) {
+                                                phi_8633_ = (_e4997 + 1u);
+                                            } else {
+                                                phi_8633_ = _e4997;
+                                            }
+                                            let _e5001 = phi_8633_;
+                                            let _e5009 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e4997)) - 8388608f) * _e4448)) ^ _e74)));
+                                            let _e5025 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5001)) - 8388608f) * _e4448)) ^ _e74)));
+                                            let _e5039 = (_e4755 - _e2820);
+                                            if _e4598 {
+                                                phi_8712_ = (_e5039 / _e4597);
+                                            } else {
+                                                phi_8712_ = 0f;
+                                            }
+                                            let _e5042 = phi_8712_;
+                                            let _e5044 = select(1023f, _e5042, (_e5042 < 1023f));
+                                            let _e5052 = bitcast<u32>(select(0i, select(select(i32(_e5044), i32(-2147483648), (_e5044 < -2147483600f)), 2147483647i, (_e5044 > 2147483500f)), (_e5044 == _e5044)));
+                                            if (_e5052 > 0u) {
+                                                let _e5061 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5052)) - 8388608f) * _e4597)) ^ _e74)) > _e5039);
+                                                if _e5061 {
+                                                    phi_8745_ = (_e5052 - 1u);
+                                                } else {
+                                                    phi_8745_ = u32();
+                                                }
+                                                let _e5064 = phi_8745_;
+                                                phi_8747_ = _e5064;
+                                                phi_8748_ = select(true, false, _e5061);
+                                            } else {
+                                                phi_8747_ = u32();
+                                                phi_8748_ = true;
+                                            }
+                                            let _e5067 = phi_8747_;
+                                            let _e5069 = phi_8748_;
+                                            if _e5069 {
+                                                if (_e5052 < 1023u) {
+                                                    let _e5071 = (_e5052 + 1u);
+                                                    phi_8770_ = select(_e5052, _e5071, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5071)) - 8388608f) * _e4597)) ^ _e74)) <= _e5039));
+                                                } else {
+                                                    phi_8770_ = _e5052;
+                                                }
+                                                let _e5082 = phi_8770_;
+                                                phi_8771_ = _e5082;
+                                            } else {
+                                                phi_8771_ = _e5067;
+                                            }
+                                            let _e5084 = phi_8771_;
+                                            if (_e5084 > 0u) {
+                                                let _e5093 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5084)) - 8388608f) * _e4597)) ^ _e74)));
+                                                let _e5098 = (select(select(_e2863, _e5093, (_e5093 < _e2863)), _e2863, (_e5084 == 1023u)) > _e4755);
+                                                if _e5098 {
+                                                    phi_8806_ = (_e5084 - 1u);
+                                                } else {
+                                                    phi_8806_ = u32();
+                                                }
+                                                let _e5101 = phi_8806_;
+                                                phi_8808_ = _e5101;
+                                                phi_8809_ = select(true, false, _e5098);
+                                            } else {
+                                                phi_8808_ = u32();
+                                                phi_8809_ = true;
+                                            }
+                                            let _e5104 = phi_8808_;
+                                            let _e5106 = phi_8809_;
+                                            if _e5106 {
+                                                if (_e5084 < 1023u) {
+                                                    let _e5108 = (_e5084 + 1u);
+                                                    let _e5116 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5108)) - 8388608f) * _e4597)) ^ _e74)));
+                                                    phi_8849_ = select(_e5084, _e5108, (select(select(_e2863, _e5116, (_e5116 < _e2863)), _e2863, (_e5108 == 1023u)) <= _e4755));
+                                                } else {
+                                                    phi_8849_ = _e5084;
+                                                }
+                                                let _e5124 = phi_8849_;
+                                                phi_8850_ = _e5124;
+                                            } else {
+                                                phi_8850_ = _e5104;
+                                            }
+                                            let _e5126 = phi_8850_;
+                                            let _e5134 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5126)) - 8388608f) * _e4597)) ^ _e74)));
+                                            let _e5140 = select(_e5126, 0u, (select(select(_e2863, _e5134, (_e5134 < _e2863)), _e2863, (_e5126 == 1023u)) > _e4755));
+                                            if (_e5140 < 1023u) {
+                                                phi_8886_ = (_e5140 + 1u);
+                                            } else {
+                                                phi_8886_ = _e5140;
+                                            }
+                                            let _e5144 = phi_8886_;
+                                            let _e5152 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5140)) - 8388608f) * _e4597)) ^ _e74)));
+                                            let _e5168 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5144)) - 8388608f) * _e4597)) ^ _e74)));
+                                            let _e5186 = global_2.member[_e4279].member[6u];
+                                            let _e5191 = global_2.member[_e4279].member[7u];
+                                            let _e5196 = global_2.member[_e4279].member[8u];
+                                            let _e5197 = (_e5186 - _e2790);
+                                            if _e4303 {
+                                                phi_8971_ = (_e5197 / _e4302);
+                                            } else {
+                                                phi_8971_ = 0f;
+                                            }
+                                            let _e5200 = phi_8971_;
+                                            let _e5202 = select(1023f, _e5200, (_e5200 < 1023f));
+                                            let _e5210 = bitcast<u32>(select(0i, select(select(i32(_e5202), i32(-2147483648), (_e5202 < -2147483600f)), 2147483647i, (_e5202 > 2147483500f)), (_e5202 == _e5202)));
+                                            if (_e5210 > 0u) {
+                                                let _e5219 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5210)) - 8388608f) * _e4302)) ^ _e74)) > _e5197);
+                                                if _e5219 {
+                                                    phi_9004_ = (_e5210 - 1u);
+                                                } else {
+                                                    phi_9004_ = u32();
+                                                }
+                                                let _e5222 = phi_9004_;
+                                                phi_9006_ = _e5222;
+                                                phi_9007_ = select(true, false, _e5219);
+                                            } else {
+                                                phi_9006_ = u32();
+                                                phi_9007_ = true;
+                                            }
+                                            let _e5225 = phi_9006_;
+                                            let _e5227 = phi_9007_;
+                                            if _e5227 {
+                                                if (_e5210 < 1023u) {
+                                                    let _e5229 = (_e5210 + 1u);
+                                                    phi_9029_ = select(_e5210, _e5229, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5229)) - 8388608f) * _e4302)) ^ _e74)) <= _e5197));
+                                                } else {
+                                                    phi_9029_ = _e5210;
+                                                }
+                                                let _e5240 = phi_9029_;
+                                                phi_9030_ = _e5240;
+                                            } else {
+                                                phi_9030_ = _e5225;
+                                            }
+                                            let _e5242 = phi_9030_;
+                                            if (_e5242 > 0u) {
+                                                let _e5251 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5242)) - 8388608f) * _e4302)) ^ _e74)));
+                                                let _e5256 = (select(select(_e2833, _e5251, (_e5251 < _e2833)), _e2833, (_e5242 == 1023u)) > _e5186);
+                                                if _e5256 {
+                                                    phi_9065_ = (_e5242 - 1u);
+                                                } else {
+                                                    phi_9065_ = u32();
+                                                }
+                                                let _e5259 = phi_9065_;
+                                                phi_9067_ = _e5259;
+                                                phi_9068_ = select(true, false, _e5256);
+                                            } else {
+                                                phi_9067_ = u32();
+                                                phi_9068_ = true;
+                                            }
+                                            let _e5262 = phi_9067_;
+                                            let _e5264 = phi_9068_;
+                                            if _e5264 {
+                                                if (_e5242 < 1023u) {
+                                                    let _e5266 = (_e5242 + 1u);
+                                                    let _e5274 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5266)) - 8388608f) * _e4302)) ^ _e74)));
+                                                    phi_9108_ = select(_e5242, _e5266, (select(select(_e2833, _e5274, (_e5274 < _e2833)), _e2833, (_e5266 == 1023u)) <= _e5186));
+                                                } else {
+                                                    phi_9108_ = _e5242;
+                                                }
+                                                let _e5282 = phi_9108_;
+                                                phi_9109_ = _e5282;
+                                            } else {
+                                                phi_9109_ = _e5262;
+                                            }
+                                            let _e5284 = phi_9109_;
+                                            let _e5292 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5284)) - 8388608f) * _e4302)) ^ _e74)));
+                                            let _e5298 = select(_e5284, 0u, (select(select(_e2833, _e5292, (_e5292 < _e2833)), _e2833, (_e5284 == 1023u)) > _e5186));
+                                            if (_e5298 < 1023u) {
+                                                phi_9145_ = (_e5298 + 1u);
+                                            } else {
+                                                phi_9145_ = _e5298;
+                                            }
+                                            let _e5302 = phi_9145_;
+                                            let _e5310 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5298)) - 8388608f) * _e4302)) ^ _e74)));
+                                            let _e5326 = (_e2790 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5302)) - 8388608f) * _e4302)) ^ _e74)));
+                                            let _e5337 = (_e5191 - _e2805);
+                                            if _e4449 {
+                                                phi_9222_ = (_e5337 / _e4448);
+                                            } else {
+                                                phi_9222_ = 0f;
+                                            }
+                                            let _e5340 = phi_9222_;
+                                            let _e5342 = select(1023f, _e5340, (_e5340 < 1023f));
+                                            let _e5350 = bitcast<u32>(select(0i, select(select(i32(_e5342), i32(-2147483648), (_e5342 < -2147483600f)), 2147483647i, (_e5342 > 2147483500f)), (_e5342 == _e5342)));
+                                            if (_e5350 > 0u) {
+                                                let _e5359 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5350)) - 8388608f) * _e4448)) ^ _e74)) > _e5337);
+                                                if _e5359 {
+                                                    phi_9255_ = (_e5350 - 1u);
+                                                } else {
+                                                    phi_9255_ = u32();
+                                                }
+                                                let _e5362 = phi_9255_;
+                                                phi_9257_ = _e5362;
+                                                phi_9258_ = select(true, false, _e5359);
+                                            } else {
+                                                phi_9257_ = u32();
+                                                phi_9258_ = true;
+                                            }
+                                            let _e5365 = phi_9257_;
+                                            let _e5367 = phi_9258_;
+                                            if _e5367 {
+                                                if (_e5350 < 1023u) {
+                                                    let _e5369 = (_e5350 + 1u);
+                                                    phi_9280_ = select(_e5350, _e5369, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5369)) - 8388608f) * _e4448)) ^ _e74)) <= _e5337));
+                                                } else {
+                                                    phi_9280_ = _e5350;
+                                                }
+                                                let _e5380 = phi_9280_;
+                                                phi_9281_ = _e5380;
+                                            } else {
+                                                phi_9281_ = _e5365;
+                                            }
+                                            let _e5382 = phi_9281_;
+                                            if (_e5382 > 0u) {
+                                                let _e5391 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5382)) - 8388608f) * _e4448)) ^ _e74)));
+                                                let _e5396 = (select(select(_e2848, _e5391, (_e5391 < _e2848)), _e2848, (_e5382 == 1023u)) > _e5191);
+                                                if _e5396 {
+                                                    phi_9316_ = (_e5382 - 1u);
+                                                } else {
+                                                    phi_9316_ = u32();
+                                                }
+                                                let _e5399 = phi_9316_;
+                                                phi_9318_ = _e5399;
+                                                phi_9319_ = select(true, false, _e5396);
+                                            } else {
+                                                phi_9318_ = u32();
+                                                phi_9319_ = true;
+                                            }
+                                            let _e5402 = phi_9318_;
+                                            let _e5404 = phi_9319_;
+                                            if _e5404 {
+                                                if (_e5382 < 1023u) {
+                                                    let _e5406 = (_e5382 + 1u);
+                                                    let _e5414 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5406)) - 8388608f) * _e4448)) ^ _e74)));
+                                                    phi_9359_ = select(_e5382, _e5406, (select(select(_e2848, _e5414, (_e5414 < _e2848)), _e2848, (_e5406 == 1023u)) <= _e5191));
+                                                } else {
+                                                    phi_9359_ = _e5382;
+                                                }
+                                                let _e5422 = phi_9359_;
+                                                phi_9360_ = _e5422;
+                                            } else {
+                                                phi_9360_ = _e5402;
+                                            }
+                                            let _e5424 = phi_9360_;
+                                            let _e5432 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5424)) - 8388608f) * _e4448)) ^ _e74)));
+                                            let _e5438 = select(_e5424, 0u, (select(select(_e2848, _e5432, (_e5432 < _e2848)), _e2848, (_e5424 == 1023u)) > _e5191));
+                                            if (_e5438 < 1023u) {
+                                                phi_9396_ = (_e5438 + 1u);
+                                            } else {
+                                                phi_9396_ = _e5438;
+                                            }
+                                            let _e5442 = phi_9396_;
+                                            let _e5450 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5438)) - 8388608f) * _e4448)) ^ _e74)));
+                                            let _e5466 = (_e2805 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5442)) - 8388608f) * _e4448)) ^ _e74)));
+                                            let _e5480 = (_e5196 - _e2820);
+                                            if _e4598 {
+                                                phi_9475_ = (_e5480 / _e4597);
+                                            } else {
+                                                phi_9475_ = 0f;
+                                            }
+                                            let _e5483 = phi_9475_;
+                                            let _e5485 = select(1023f, _e5483, (_e5483 < 1023f));
+                                            let _e5493 = bitcast<u32>(select(0i, select(select(i32(_e5485), i32(-2147483648), (_e5485 < -2147483600f)), 2147483647i, (_e5485 > 2147483500f)), (_e5485 == _e5485)));
+                                            if (_e5493 > 0u) {
+                                                let _e5502 = (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5493)) - 8388608f) * _e4597)) ^ _e74)) > _e5480);
+                                                if _e5502 {
+                                                    phi_9508_ = (_e5493 - 1u);
+                                                } else {
+                                                    phi_9508_ = u32();
+                                                }
+                                                let _e5505 = phi_9508_;
+                                                phi_9510_ = _e5505;
+                                                phi_9511_ = select(true, false, _e5502);
+                                            } else {
+                                                phi_9510_ = u32();
+                                                phi_9511_ = true;
+                                            }
+                                            let _e5508 = phi_9510_;
+                                            let _e5510 = phi_9511_;
+                                            if _e5510 {
+                                                if (_e5493 < 1023u) {
+                                                    let _e5512 = (_e5493 + 1u);
+                                                    phi_9533_ = select(_e5493, _e5512, (bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5512)) - 8388608f) * _e4597)) ^ _e74)) <= _e5480));
+                                                } else {
+                                                    phi_9533_ = _e5493;
+                                                }
+                                                let _e5523 = phi_9533_;
+                                                phi_9534_ = _e5523;
+                                            } else {
+                                                phi_9534_ = _e5508;
+                                            }
+                                            let _e5525 = phi_9534_;
+                                            if (_e5525 > 0u) {
+                                                let _e5534 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5525)) - 8388608f) * _e4597)) ^ _e74)));
+                                                let _e5539 = (select(select(_e2863, _e5534, (_e5534 < _e2863)), _e2863, (_e5525 == 1023u)) > _e5196);
+                                                if _e5539 {
+                                                    phi_9569_ = (_e5525 - 1u);
+                                                } else {
+                                                    phi_9569_ = u32();
+                                                }
+                                                let _e5542 = phi_9569_;
+                                                phi_9571_ = _e5542;
+                                                phi_9572_ = select(true, false, _e5539);
+                                            } else {
+                                                phi_9571_ = u32();
+                                                phi_9572_ = true;
+                                            }
+                                            let _e5545 = phi_9571_;
+                                            let _e5547 = phi_9572_;
+                                            if _e5547 {
+                                                if (_e5525 < 1023u) {
+                                                    let _e5549 = (_e5525 + 1u);
+                                                    let _e5557 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5549)) - 8388608f) * _e4597)) ^ _e74)));
+                                                    phi_9612_ = select(_e5525, _e5549, (select(select(_e2863, _e5557, (_e5557 < _e2863)), _e2863, (_e5549 == 1023u)) <= _e5196));
+                                                } else {
+                                                    phi_9612_ = _e5525;
+                                                }
+                                                let _e5565 = phi_9612_;
+                                                phi_9613_ = _e5565;
+                                            } else {
+                                                phi_9613_ = _e5545;
+                                            }
+                                            let _e5567 = phi_9613_;
+                                            let _e5575 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5567)) - 8388608f) * _e4597)) ^ _e74)));
+                                            let _e5581 = select(_e5567, 0u, (select(select(_e2863, _e5575, (_e5575 < _e2863)), _e2863, (_e5567 == 1023u)) > _e5196));
+                                            if (_e5581 < 1023u) {
+                                                phi_9649_ = (_e5581 + 1u);
+                                            } else {
+                                                phi_9649_ = _e5581;
+                                            }
+                                            let _e5585 = phi_9649_;
+                                            let _e5593 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5581)) - 8388608f) * _e4597)) ^ _e74)));
+                                            let _e5609 = (_e2820 + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e5585)) - 8388608f) * _e4597)) ^ _e74)));
+                                            let _e5627 = global_2.member[_e4279].member_1;
+                                            if _e4281 {
+                                            } else {
+                                                phi_10468_ = true;
+                                                break;
+                                            }
+                                            global_6.member[_e4279] = type_43(array<u32, 3>(((select(_e4404, _e4408, (bitcast<f32>((bitcast<u32>((select(select(_e2833, _e4432, (_e4432 < _e2833)), _e2833, (_e4408 == 1023u)) - _e4286)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e4286 - select(select(_e2833, _e4416, (_e4416 < _e2833)), _e2833, (_e4404 == 1023u)))) & 2147483647u)))) | (select(_e4550, _e4554, (bitcast<f32>((bitcast<u32>((select(select(_e2848, _e4578, (_e4578 < _e2848)), _e2848, (_e4554 == 1023u)) - _e4291)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e4291 - select(select(_e2848, _e4562, (_e4562 < _e2848)), _e2848, (_e4550 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e4699, _e4703, (bitcast<f32>((bitcast<u32>((select(select(_e2863, _e4727, (_e4727 < _e2863)), _e2863, (_e4703 == 1023u)) - _e4296)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e4296 - select(select(_e2863, _e4711, (_e4711 < _e2863)), _e2863, (_e4699 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e4857, _e4861, (bitcast<f32>((bitcast<u32>((select(select(_e2833, _e4885, (_e4885 < _e2833)), _e2833, (_e4861 == 1023u)) - _e4745)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e4745 - select(select(_e2833, _e4869, (_e4869 < _e2833)), _e2833, (_e4857 == 1023u)))) & 2147483647u)))) | (select(_e4997, _e5001, (bitcast<f32>((bitcast<u32>((select(select(_e2848, _e5025, (_e5025 < _e2848)), _e2848, (_e5001 == 1023u)) - _e4750)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e4750 - select(select(_e2848, _e5009, (_e5009 < _e2848)), _e2848, (_e4997 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e5140, _e5144, (bitcast<f32>((bitcast<u32>((select(select(_e2863, _e5168, (_e5168 < _e2863)), _e2863, (_e5144 == 1023u)) - _e4755)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e4755 - select(select(_e2863, _e5152, (_e5152 < _e2863)), _e2863, (_e5140 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e5298, _e5302, (bitcast<f32>((bitcast<u32>((select(select(_e2833, _e5326, (_e5326 < _e2833)), _e2833, (_e5302 == 1023u)) - _e5186)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e5186 - select(select(_e2833, _e5310, (_e5310 < _e2833)), _e2833, (_e5298 == 1023u)))) & 2147483647u)))) | (select(_e5438, _e5442, (bitcast<f32>((bitcast<u32>((select(select(_e2848, _e5466, (_e5466 < _e2848)), _e2848, (_e5442 == 1023u)) - _e5191)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e5191 - select(select(_e2848, _e5450, (_e5450 < _e2848)), _e2848, (_e5438 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e5581, _e5585, (bitcast<f32>((bitcast<u32>((select(select(_e2863, _e5609, (_e5609 < _e2863)), _e2863, (_e5585 == 1023u)) - _e5196)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e5196 - select(select(_e2863, _e5593, (_e5593 < _e2863)), _e2863, (_e5581 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i)))), _e5627);
+                                        }
+                                    }
+                                }
+                                continue;
+                                continuing {
+                                    phi_7378_ = _e4271;
+                                    phi_10468_ = _e4250;
+                                    break if !(_e4277);
+                                }
+                            }
+                            let _e5633 = phi_10468_;
+                            if _e5633 {
                                 break;
                             }
                         }
-                        if (_e61 == 0u) {
-                            if (_e57 == 0u) {
+                        if (_e65 == 0u) {
+                            if (_e61 == 0u) {
                             } else {
-                                if (0u < _e57) {
+                                if (0u < _e61) {
                                 } else {
                                     break;
                                 }
-                                global_7.member[0u] = type_32(array<u32, 4>(bitcast<u32>(_e958.member[0]), bitcast<u32>(_e958.member[1]), bitcast<u32>(_e958.member[2]), 0u), array<u32, 4>(bitcast<u32>(_e961.member_1[0]), bitcast<u32>(_e961.member_1[1]), bitcast<u32>(_e961.member_1[2]), 0u));
+                                global_7.member[0u] = type_32(array<u32, 4>(bitcast<u32>(_e1190.member[0]), bitcast<u32>(_e1190.member[1]), bitcast<u32>(_e1190.member[2]), 0u), array<u32, 4>(bitcast<u32>(_e1193.member_1[0]), bitcast<u32>(_e1193.member_1[1]), bitcast<u32>(_e1193.member_1[2]), 0u));
                             }
                         }
                     }

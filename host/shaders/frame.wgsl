@@ -63,598 +63,610 @@ var<workgroup> global_6: array<type_27, 64>;
 
 fn function_() {
     var local: type_27;
-    var phi_136_: u32;
-    var phi_139_: type_6;
-    var phi_142_: type_15;
-    var phi_140_: type_6;
-    var phi_165_: type_6;
-    var phi_233_: type_15;
-    var phi_143_: type_15;
-    var phi_1546_: bool;
+    var phi_138_: u32;
+    var phi_141_: type_6;
+    var phi_144_: type_15;
+    var phi_142_: type_6;
+    var phi_167_: type_6;
+    var phi_209_: type_15;
+    var phi_145_: type_15;
+    var phi_1613_: bool;
     var local_1: type_15;
     var local_2: type_15;
-    var phi_246_: type_6;
-    var phi_249_: u32;
-    var phi_247_: type_6;
-    var phi_272_: type_6;
-    var phi_250_: u32;
-    var phi_1558_: bool;
-    var phi_1075_: i32;
-    var phi_1125_: u32;
-    var phi_1217_: i32;
-    var phi_1267_: u32;
-    var phi_1359_: i32;
-    var phi_1409_: u32;
-    var phi_1441_: bool;
-    var phi_1443_: bool;
-    var phi_1446_: bool;
-    var phi_1447_: bool;
-    var phi_1448_: bool;
-    var phi_1451_: bool;
-    var phi_1452_: bool;
-    var phi_1453_: bool;
-    var phi_1454_: bool;
-    var phi_1467_: bool;
-    var phi_1468_: bool;
-    var phi_1476_: type_33;
-    var phi_1503_: bool;
-    var phi_1505_: bool;
+    var phi_222_: type_6;
+    var phi_225_: u32;
+    var phi_223_: type_6;
+    var phi_248_: type_6;
+    var phi_226_: u32;
+    var phi_1625_: bool;
+    var phi_1176_: i32;
+    var phi_1226_: u32;
+    var phi_1301_: i32;
+    var phi_1351_: u32;
+    var phi_1426_: i32;
+    var phi_1476_: u32;
     var phi_1508_: bool;
-    var phi_1509_: bool;
     var phi_1510_: bool;
     var phi_1513_: bool;
     var phi_1514_: bool;
     var phi_1515_: bool;
-    var phi_1516_: bool;
-    var phi_1529_: bool;
-    var phi_1530_: bool;
-    var phi_1538_: type_33;
-    var phi_418_: u32;
-    var phi_419_: u32;
-    var phi_420_: bool;
-    var phi_447_: u32;
+    var phi_1518_: bool;
+    var phi_1519_: bool;
+    var phi_1520_: bool;
+    var phi_1521_: bool;
+    var phi_1534_: bool;
+    var phi_1535_: bool;
+    var phi_1543_: type_33;
+    var phi_1570_: bool;
+    var phi_1572_: bool;
+    var phi_1575_: bool;
+    var phi_1576_: bool;
+    var phi_1577_: bool;
+    var phi_1580_: bool;
+    var phi_1581_: bool;
+    var phi_1582_: bool;
+    var phi_1583_: bool;
+    var phi_1596_: bool;
+    var phi_1597_: bool;
+    var phi_1605_: type_33;
+    var phi_366_: u32;
+    var phi_367_: u32;
+    var phi_368_: bool;
+    var phi_395_: u32;
+    var phi_396_: u32;
+    var phi_397_: bool;
+    var phi_424_: u32;
+    var phi_425_: u32;
+    var phi_426_: bool;
+    var phi_445_: type_6;
     var phi_448_: u32;
-    var phi_449_: bool;
-    var phi_476_: u32;
-    var phi_477_: u32;
-    var phi_478_: bool;
-    var phi_497_: type_6;
+    var phi_450_: u32;
+    var phi_446_: type_6;
+    var phi_473_: type_6;
+    var phi_492_: bool;
+    var phi_498_: u32;
+    var phi_499_: u32;
+    var phi_449_: u32;
+    var phi_451_: u32;
     var phi_500_: u32;
-    var phi_502_: u32;
-    var phi_498_: type_6;
-    var phi_525_: type_6;
-    var phi_544_: bool;
-    var phi_550_: u32;
-    var phi_551_: u32;
-    var phi_501_: u32;
-    var phi_503_: u32;
-    var phi_552_: u32;
-    var phi_554_: type_23;
-    var phi_742_: i32;
-    var phi_745_: i32;
-    var phi_746_: i32;
+    var phi_502_: type_23;
+    var phi_637_: i32;
+    var phi_640_: i32;
+    var phi_641_: i32;
     var local_3: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e52 = global;
-            let _e54 = arrayLength((&global_2.member));
-            let _e56 = arrayLength((&global_3.member));
-            let _e58 = arrayLength((&global_4.member));
-            let _e60 = arrayLength((&global_5.member));
-            let _e61 = (_e54 / 64u);
-            if ((_e54 % 64u) > 0u) {
-                phi_136_ = (_e61 + 1u);
+            let _e51 = global;
+            let _e53 = arrayLength((&global_2.member));
+            let _e55 = arrayLength((&global_3.member));
+            let _e57 = arrayLength((&global_4.member));
+            let _e59 = arrayLength((&global_5.member));
+            let _e60 = (_e53 / 64u);
+            if ((_e53 % 64u) > 0u) {
+                phi_138_ = (_e60 + 1u);
             } else {
-                phi_136_ = _e61;
+                phi_138_ = _e60;
             }
-            let _e66 = phi_136_;
-            phi_139_ = type_6(0u, _e66);
-            phi_142_ = type_15(vec3<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec3<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
+            let _e65 = phi_138_;
+            phi_141_ = type_6(0u, _e65);
+            phi_144_ = type_15(vec3<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec3<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
             loop {
-                let _e69 = phi_139_;
-                let _e71 = phi_142_;
-                local_1 = _e71;
-                local_2 = _e71;
-                if (_e69.member < _e69.member_1) {
-                    phi_140_ = type_6((_e69.member + 1u), _e69.member_1);
-                    phi_165_ = type_6(1u, _e69.member);
+                let _e68 = phi_141_;
+                let _e70 = phi_144_;
+                local_1 = _e70;
+                local_2 = _e70;
+                if (_e68.member < _e68.member_1) {
+                    phi_142_ = type_6((_e68.member + 1u), _e68.member_1);
+                    phi_167_ = type_6(1u, _e68.member);
                 } else {
-                    phi_140_ = _e69;
-                    phi_165_ = type_6(0u, type_6().member_1);
+                    phi_142_ = _e68;
+                    phi_167_ = type_6(0u, type_6().member_1);
                 }
-                let _e84 = phi_140_;
-                let _e86 = phi_165_;
-                let _e90 = (bitcast<i32>(_e86.member) != 0i);
-                if _e90 {
-                    let _e92 = ((_e86.member_1 * 64u) + _e52);
-                    let _e93 = (_e92 < _e54);
-                    if _e93 {
-                        if _e93 {
+                let _e83 = phi_142_;
+                let _e85 = phi_167_;
+                let _e89 = (bitcast<i32>(_e85.member) != 0i);
+                if _e89 {
+                    let _e91 = ((_e85.member_1 * 64u) + _e51);
+                    let _e92 = (_e91 < _e53);
+                    if _e92 {
+                        if _e92 {
                         } else {
-                            phi_1546_ = true;
+                            phi_1613_ = true;
                             break;
                         }
-                        let _e96 = global_2.member[_e92];
-                        phi_233_ = type_15(vec3<f32>(select(_e96[0], _e71.member.x, (_e71.member.x < _e96[0])), select(_e96[1], _e71.member.y, (_e71.member.y < _e96[1])), select(_e96[2], _e71.member.z, (_e71.member.z < _e96[2]))), vec3<f32>(select(_e96[3], _e71.member_1.x, (_e71.member_1.x > _e96[3])), select(_e96[4], _e71.member_1.y, (_e71.member_1.y > _e96[4])), select(_e96[5], _e71.member_1.z, (_e71.member_1.z > _e96[5]))));
+                        let _e95 = global_2.member[_e91];
+                        let _e105 = bitcast<i32>(bitcast<u32>(_e70.member.x));
+                        let _e111 = bitcast<i32>(bitcast<u32>(_e95[0]));
+                        let _e121 = bitcast<i32>(bitcast<u32>(_e70.member.y));
+                        let _e127 = bitcast<i32>(bitcast<u32>(_e95[1]));
+                        let _e137 = bitcast<i32>(bitcast<u32>(_e70.member.z));
+                        let _e143 = bitcast<i32>(bitcast<u32>(_e95[2]));
+                        let _e154 = bitcast<i32>(bitcast<u32>(_e70.member_1.x));
+                        let _e160 = bitcast<i32>(bitcast<u32>(_e95[3]));
+                        let _e170 = bitcast<i32>(bitcast<u32>(_e70.member_1.y));
+                        let _e176 = bitcast<i32>(bitcast<u32>(_e95[4]));
+                        let _e186 = bitcast<i32>(bitcast<u32>(_e70.member_1.z));
+                        let _e192 = bitcast<i32>(bitcast<u32>(_e95[5]));
+                        phi_209_ = type_15(vec3<f32>(select(_e95[0], _e70.member.x, ((_e105 ^ ((_e105 >> bitcast<u32>(31i)) & 2147483647i)) < (_e111 ^ ((_e111 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e95[1], _e70.member.y, ((_e121 ^ ((_e121 >> bitcast<u32>(31i)) & 2147483647i)) < (_e127 ^ ((_e127 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e95[2], _e70.member.z, ((_e137 ^ ((_e137 >> bitcast<u32>(31i)) & 2147483647i)) < (_e143 ^ ((_e143 >> bitcast<u32>(31i)) & 2147483647i))))), vec3<f32>(select(_e95[3], _e70.member_1.x, ((_e154 ^ ((_e154 >> bitcast<u32>(31i)) & 2147483647i)) > (_e160 ^ ((_e160 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e95[4], _e70.member_1.y, ((_e170 ^ ((_e170 >> bitcast<u32>(31i)) & 2147483647i)) > (_e176 ^ ((_e176 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e95[5], _e70.member_1.z, ((_e186 ^ ((_e186 >> bitcast<u32>(31i)) & 2147483647i)) > (_e192 ^ ((_e192 >> bitcast<u32>(31i)) & 2147483647i))))));
                     } else {
-                        phi_233_ = _e71;
+                        phi_209_ = _e70;
                     }
-                    let _e127 = phi_233_;
-                    phi_143_ = _e127;
+                    let _e202 = phi_209_;
+                    phi_145_ = _e202;
                 } else {
-                    phi_143_ = type_15();
+                    phi_145_ = type_15();
                 }
-                let _e129 = phi_143_;
+                let _e204 = phi_145_;
                 continue;
                 continuing {
-                    phi_139_ = _e84;
-                    phi_142_ = _e129;
-                    phi_1546_ = false;
-                    break if !(_e90);
+                    phi_141_ = _e83;
+                    phi_144_ = _e204;
+                    phi_1613_ = false;
+                    break if !(_e89);
                 }
             }
-            let _e132 = phi_1546_;
-            if _e132 {
+            let _e207 = phi_1613_;
+            if _e207 {
                 break;
             }
-            let _e133 = (_e52 % 64u);
-            let _e134 = (_e133 < 64u);
-            if _e134 {
+            let _e208 = (_e51 % 64u);
+            let _e209 = (_e208 < 64u);
+            if _e209 {
             } else {
                 break;
             }
-            let _e137 = local_1;
-            let _e140 = local_2;
-            global_6[_e133] = type_27(_e137.member, _e140.member_1);
+            let _e212 = local_1;
+            let _e215 = local_2;
+            global_6[_e208] = type_27(_e212.member, _e215.member_1);
             workgroupBarrier();
-            phi_246_ = type_6(0u, 6u);
-            phi_249_ = 32u;
+            phi_222_ = type_6(0u, 6u);
+            phi_225_ = 32u;
             loop {
-                let _e144 = phi_246_;
-                let _e146 = phi_249_;
-                if (_e144.member < _e144.member_1) {
-                    phi_247_ = type_6((_e144.member + 1u), _e144.member_1);
-                    phi_272_ = type_6(1u, _e144.member);
+                let _e219 = phi_222_;
+                let _e221 = phi_225_;
+                if (_e219.member < _e219.member_1) {
+                    phi_223_ = type_6((_e219.member + 1u), _e219.member_1);
+                    phi_248_ = type_6(1u, _e219.member);
                 } else {
-                    phi_247_ = _e144;
-                    phi_272_ = type_6(0u, type_6().member_1);
+                    phi_223_ = _e219;
+                    phi_248_ = type_6(0u, type_6().member_1);
                 }
-                let _e159 = phi_247_;
-                let _e161 = phi_272_;
-                let _e164 = (bitcast<i32>(_e161.member) != 0i);
-                if _e164 {
-                    if (_e52 < _e146) {
-                        if _e134 {
+                let _e234 = phi_223_;
+                let _e236 = phi_248_;
+                let _e239 = (bitcast<i32>(_e236.member) != 0i);
+                if _e239 {
+                    if (_e51 < _e221) {
+                        if _e209 {
                         } else {
-                            phi_1558_ = true;
+                            phi_1625_ = true;
                             break;
                         }
-                        let _e166 = global_6[_e133];
-                        let _e170 = ((_e52 + _e146) % 64u);
-                        if (_e170 < 64u) {
+                        let _e241 = global_6[_e208];
+                        let _e245 = ((_e51 + _e221) % 64u);
+                        if (_e245 < 64u) {
                         } else {
-                            phi_1558_ = true;
+                            phi_1625_ = true;
                             break;
                         }
-                        let _e173 = global_6[_e170];
-                        if _e134 {
+                        let _e248 = global_6[_e245];
+                        let _e254 = bitcast<i32>(bitcast<u32>(_e241.member.x));
+                        let _e260 = bitcast<i32>(bitcast<u32>(_e248.member.x));
+                        let _e270 = bitcast<i32>(bitcast<u32>(_e241.member.y));
+                        let _e276 = bitcast<i32>(bitcast<u32>(_e248.member.y));
+                        let _e286 = bitcast<i32>(bitcast<u32>(_e241.member.z));
+                        let _e292 = bitcast<i32>(bitcast<u32>(_e248.member.z));
+                        let _e303 = bitcast<i32>(bitcast<u32>(_e241.member_1.x));
+                        let _e309 = bitcast<i32>(bitcast<u32>(_e248.member_1.x));
+                        let _e319 = bitcast<i32>(bitcast<u32>(_e241.member_1.y));
+                        let _e325 = bitcast<i32>(bitcast<u32>(_e248.member_1.y));
+                        let _e335 = bitcast<i32>(bitcast<u32>(_e241.member_1.z));
+                        let _e341 = bitcast<i32>(bitcast<u32>(_e248.member_1.z));
+                        if _e209 {
                         } else {
-                            phi_1558_ = true;
+                            phi_1625_ = true;
                             break;
                         }
-                        global_6[_e133] = type_27(vec3<f32>(select(_e173.member.x, _e166.member.x, (_e166.member.x < _e173.member.x)), select(_e173.member.y, _e166.member.y, (_e166.member.y < _e173.member.y)), select(_e173.member.z, _e166.member.z, (_e166.member.z < _e173.member.z))), vec3<f32>(select(_e173.member_1.x, _e166.member_1.x, (_e166.member_1.x > _e173.member_1.x)), select(_e173.member_1.y, _e166.member_1.y, (_e166.member_1.y > _e173.member_1.y)), select(_e173.member_1.z, _e166.member_1.z, (_e166.member_1.z > _e173.member_1.z))));
+                        global_6[_e208] = type_27(vec3<f32>(select(_e248.member.x, _e241.member.x, ((_e254 ^ ((_e254 >> bitcast<u32>(31i)) & 2147483647i)) < (_e260 ^ ((_e260 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e248.member.y, _e241.member.y, ((_e270 ^ ((_e270 >> bitcast<u32>(31i)) & 2147483647i)) < (_e276 ^ ((_e276 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e248.member.z, _e241.member.z, ((_e286 ^ ((_e286 >> bitcast<u32>(31i)) & 2147483647i)) < (_e292 ^ ((_e292 >> bitcast<u32>(31i)) & 2147483647i))))), vec3<f32>(select(_e248.member_1.x, _e241.member_1.x, ((_e303 ^ ((_e303 >> bitcast<u32>(31i)) & 2147483647i)) > (_e309 ^ ((_e309 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e248.member_1.y, _e241.member_1.y, ((_e319 ^ ((_e319 >> bitcast<u32>(31i)) & 2147483647i)) > (_e325 ^ ((_e325 >> bitcast<u32>(31i)) & 2147483647i)))), select(_e248.member_1.z, _e241.member_1.z, ((_e335 ^ ((_e335 >> bitcast<u32>(31i)) & 2147483647i)) > (_e341 ^ ((_e341 >> bitcast<u32>(31i)) & 2147483647i))))));
                     }
                     workgroupBarrier();
-                    phi_250_ = (_e146 / 2u);
+                    phi_226_ = (_e221 / 2u);
                 } else {
-                    phi_250_ = u32();
+                    phi_226_ = u32();
                 }
-                let _e205 = phi_250_;
+                let _e352 = phi_226_;
                 continue;
                 continuing {
-                    phi_246_ = _e159;
-                    phi_249_ = _e205;
-                    phi_1558_ = _e132;
-                    break if !(_e164);
+                    phi_222_ = _e234;
+                    phi_225_ = _e352;
+                    phi_1625_ = _e207;
+                    break if !(_e239);
                 }
             }
-            let _e208 = phi_1558_;
-            if _e208 {
+            let _e355 = phi_1625_;
+            if _e355 {
                 break;
             }
-            if (_e52 == 0u) {
-                if (_e56 == 0u) {
+            if (_e51 == 0u) {
+                if (_e55 == 0u) {
                 } else {
-                    if (_e58 == 0u) {
+                    if (_e57 == 0u) {
                     } else {
-                        if (_e60 == 0u) {
+                        if (_e59 == 0u) {
                         } else {
-                            let _e214 = global_6[0u];
-                            local = _e214;
-                            let _e217 = global_1.member[0u];
-                            let _e220 = local.member[0u];
-                            let _e223 = local.member_1[0u];
-                            if (_e220 > _e223) {
-                                phi_554_ = type_23(array<type_21, 3>(type_21(0i, 0i, 0u), type_21(0i, 0i, 0u), type_21(0i, 0i, 0u)), 0u);
+                            let _e361 = global_6[0u];
+                            local = _e361;
+                            let _e364 = global_1.member[0u];
+                            let _e367 = local.member[0u];
+                            let _e370 = local.member_1[0u];
+                            if (_e367 > _e370) {
+                                phi_502_ = type_23(array<type_21, 3>(type_21(0i, 0i, 0u), type_21(0i, 0i, 0u), type_21(0i, 0i, 0u)), 0u);
                             } else {
-                                let _e225 = local.member[0u];
-                                let _e226 = local.member_1[0u];
-                                let _e227 = local.member[0u];
-                                let _e228 = local.member_1[0u];
-                                let _e231 = bitcast<f32>((bitcast<u32>(_e227) & 2147483647u));
-                                let _e234 = bitcast<f32>((bitcast<u32>(_e228) & 2147483647u));
-                                let _e236 = select(_e234, _e231, (_e231 > _e234));
-                                let _e238 = select(_e234, _e231, (_e231 < _e234));
-                                let _e242 = (bitcast<u32>(select(_e238, _e236, (_e236 > _e238))) & 2147483647u);
-                                if (_e242 >= 8388608u) {
-                                    phi_1075_ = (bitcast<i32>((_e242 >> bitcast<u32>(23i))) - 127i);
+                                let _e372 = local.member[0u];
+                                let _e373 = local.member_1[0u];
+                                let _e374 = local.member[0u];
+                                let _e375 = local.member_1[0u];
+                                let _e377 = (bitcast<u32>(_e374) & 2147483647u);
+                                let _e379 = (bitcast<u32>(_e375) & 2147483647u);
+                                let _e384 = (bitcast<u32>(bitcast<f32>(select(_e379, _e377, (_e379 < _e377)))) & 2147483647u);
+                                if (_e384 >= 8388608u) {
+                                    phi_1176_ = (bitcast<i32>((_e384 >> bitcast<u32>(23i))) - 127i);
                                 } else {
-                                    phi_1075_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e242)), 32u, (_e242 == 0u))));
+                                    phi_1176_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e384)), 32u, (_e384 == 0u))));
                                 }
-                                let _e256 = phi_1075_;
-                                let _e257 = (_e256 + -23i);
-                                let _e259 = select(_e257, -126i, (_e257 < -126i));
-                                let _e264 = bitcast<f32>((bitcast<u32>((127i - _e259)) << bitcast<u32>(23i)));
-                                let _e265 = (_e225 * _e264);
-                                let _e273 = (2i * select(0i, select(select(i32(_e265), i32(-2147483648), (_e265 < -2147483600f)), 2147483647i, (_e265 > 2147483500f)), (_e265 == _e265)));
-                                let _e274 = (_e226 * _e264);
-                                let _e284 = bitcast<u32>(((2i * select(0i, select(select(i32(_e274), i32(-2147483648), (_e274 < -2147483600f)), 2147483647i, (_e274 > 2147483500f)), (_e274 == _e274))) - _e273));
-                                let _e285 = (_e284 == 0u);
-                                if _e285 {
-                                    phi_1125_ = 0u;
+                                let _e398 = phi_1176_;
+                                let _e399 = (_e398 + -23i);
+                                let _e401 = select(_e399, -126i, (_e399 < -126i));
+                                let _e406 = bitcast<f32>((bitcast<u32>((127i - _e401)) << bitcast<u32>(23i)));
+                                let _e407 = (_e372 * _e406);
+                                let _e415 = (2i * select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < -2147483600f)), 2147483647i, (_e407 > 2147483500f)), (_e407 == _e407)));
+                                let _e416 = (_e373 * _e406);
+                                let _e426 = bitcast<u32>(((2i * select(0i, select(select(i32(_e416), i32(-2147483648), (_e416 < -2147483600f)), 2147483647i, (_e416 > 2147483500f)), (_e416 == _e416))) - _e415));
+                                let _e427 = (_e426 == 0u);
+                                if _e427 {
+                                    phi_1226_ = 0u;
                                 } else {
-                                    phi_1125_ = select((bitcast<u32>(31i) - firstLeadingBit(_e284)), 32u, _e285);
+                                    phi_1226_ = select((bitcast<u32>(31i) - firstLeadingBit(_e426)), 32u, _e427);
                                 }
-                                let _e291 = phi_1125_;
-                                let _e294 = (_e284 << bitcast<u32>((_e291 & 31u)));
-                                let _e296 = (_e259 - bitcast<i32>(_e291));
-                                let _e300 = local.member[1u];
-                                let _e303 = local.member_1[1u];
-                                let _e304 = local.member[1u];
-                                let _e305 = local.member_1[1u];
-                                let _e308 = bitcast<f32>((bitcast<u32>(_e304) & 2147483647u));
-                                let _e311 = bitcast<f32>((bitcast<u32>(_e305) & 2147483647u));
-                                let _e313 = select(_e311, _e308, (_e308 > _e311));
-                                let _e315 = select(_e311, _e308, (_e308 < _e311));
-                                let _e319 = (bitcast<u32>(select(_e315, _e313, (_e313 > _e315))) & 2147483647u);
-                                if (_e319 >= 8388608u) {
-                                    phi_1217_ = (bitcast<i32>((_e319 >> bitcast<u32>(23i))) - 127i);
+                                let _e433 = phi_1226_;
+                                let _e436 = (_e426 << bitcast<u32>((_e433 & 31u)));
+                                let _e438 = (_e401 - bitcast<i32>(_e433));
+                                let _e442 = local.member[1u];
+                                let _e445 = local.member_1[1u];
+                                let _e446 = local.member[1u];
+                                let _e447 = local.member_1[1u];
+                                let _e449 = (bitcast<u32>(_e446) & 2147483647u);
+                                let _e451 = (bitcast<u32>(_e447) & 2147483647u);
+                                let _e456 = (bitcast<u32>(bitcast<f32>(select(_e451, _e449, (_e451 < _e449)))) & 2147483647u);
+                                if (_e456 >= 8388608u) {
+                                    phi_1301_ = (bitcast<i32>((_e456 >> bitcast<u32>(23i))) - 127i);
                                 } else {
-                                    phi_1217_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e319)), 32u, (_e319 == 0u))));
+                                    phi_1301_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e456)), 32u, (_e456 == 0u))));
                                 }
-                                let _e333 = phi_1217_;
-                                let _e334 = (_e333 + -23i);
-                                let _e336 = select(_e334, -126i, (_e334 < -126i));
-                                let _e341 = bitcast<f32>((bitcast<u32>((127i - _e336)) << bitcast<u32>(23i)));
-                                let _e342 = (_e300 * _e341);
-                                let _e350 = (2i * select(0i, select(select(i32(_e342), i32(-2147483648), (_e342 < -2147483600f)), 2147483647i, (_e342 > 2147483500f)), (_e342 == _e342)));
-                                let _e351 = (_e303 * _e341);
-                                let _e361 = bitcast<u32>(((2i * select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < -2147483600f)), 2147483647i, (_e351 > 2147483500f)), (_e351 == _e351))) - _e350));
-                                let _e362 = (_e361 == 0u);
-                                if _e362 {
-                                    phi_1267_ = 0u;
+                                let _e470 = phi_1301_;
+                                let _e471 = (_e470 + -23i);
+                                let _e473 = select(_e471, -126i, (_e471 < -126i));
+                                let _e478 = bitcast<f32>((bitcast<u32>((127i - _e473)) << bitcast<u32>(23i)));
+                                let _e479 = (_e442 * _e478);
+                                let _e487 = (2i * select(0i, select(select(i32(_e479), i32(-2147483648), (_e479 < -2147483600f)), 2147483647i, (_e479 > 2147483500f)), (_e479 == _e479)));
+                                let _e488 = (_e445 * _e478);
+                                let _e498 = bitcast<u32>(((2i * select(0i, select(select(i32(_e488), i32(-2147483648), (_e488 < -2147483600f)), 2147483647i, (_e488 > 2147483500f)), (_e488 == _e488))) - _e487));
+                                let _e499 = (_e498 == 0u);
+                                if _e499 {
+                                    phi_1351_ = 0u;
                                 } else {
-                                    phi_1267_ = select((bitcast<u32>(31i) - firstLeadingBit(_e361)), 32u, _e362);
+                                    phi_1351_ = select((bitcast<u32>(31i) - firstLeadingBit(_e498)), 32u, _e499);
                                 }
-                                let _e368 = phi_1267_;
-                                let _e371 = (_e361 << bitcast<u32>((_e368 & 31u)));
-                                let _e373 = (_e336 - bitcast<i32>(_e368));
-                                let _e377 = local.member[2u];
-                                let _e380 = local.member_1[2u];
-                                let _e381 = local.member[2u];
-                                let _e382 = local.member_1[2u];
-                                let _e385 = bitcast<f32>((bitcast<u32>(_e381) & 2147483647u));
-                                let _e388 = bitcast<f32>((bitcast<u32>(_e382) & 2147483647u));
-                                let _e390 = select(_e388, _e385, (_e385 > _e388));
-                                let _e392 = select(_e388, _e385, (_e385 < _e388));
-                                let _e396 = (bitcast<u32>(select(_e392, _e390, (_e390 > _e392))) & 2147483647u);
-                                if (_e396 >= 8388608u) {
-                                    phi_1359_ = (bitcast<i32>((_e396 >> bitcast<u32>(23i))) - 127i);
+                                let _e505 = phi_1351_;
+                                let _e508 = (_e498 << bitcast<u32>((_e505 & 31u)));
+                                let _e510 = (_e473 - bitcast<i32>(_e505));
+                                let _e514 = local.member[2u];
+                                let _e517 = local.member_1[2u];
+                                let _e518 = local.member[2u];
+                                let _e519 = local.member_1[2u];
+                                let _e521 = (bitcast<u32>(_e518) & 2147483647u);
+                                let _e523 = (bitcast<u32>(_e519) & 2147483647u);
+                                let _e528 = (bitcast<u32>(bitcast<f32>(select(_e523, _e521, (_e523 < _e521)))) & 2147483647u);
+                                if (_e528 >= 8388608u) {
+                                    phi_1426_ = (bitcast<i32>((_e528 >> bitcast<u32>(23i))) - 127i);
                                 } else {
-                                    phi_1359_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e396)), 32u, (_e396 == 0u))));
+                                    phi_1426_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e528)), 32u, (_e528 == 0u))));
                                 }
-                                let _e410 = phi_1359_;
-                                let _e411 = (_e410 + -23i);
-                                let _e413 = select(_e411, -126i, (_e411 < -126i));
-                                let _e418 = bitcast<f32>((bitcast<u32>((127i - _e413)) << bitcast<u32>(23i)));
-                                let _e419 = (_e377 * _e418);
-                                let _e427 = (2i * select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < -2147483600f)), 2147483647i, (_e419 > 2147483500f)), (_e419 == _e419)));
-                                let _e428 = (_e380 * _e418);
-                                let _e438 = bitcast<u32>(((2i * select(0i, select(select(i32(_e428), i32(-2147483648), (_e428 < -2147483600f)), 2147483647i, (_e428 > 2147483500f)), (_e428 == _e428))) - _e427));
-                                let _e439 = (_e438 == 0u);
-                                if _e439 {
-                                    phi_1409_ = 0u;
+                                let _e542 = phi_1426_;
+                                let _e543 = (_e542 + -23i);
+                                let _e545 = select(_e543, -126i, (_e543 < -126i));
+                                let _e550 = bitcast<f32>((bitcast<u32>((127i - _e545)) << bitcast<u32>(23i)));
+                                let _e551 = (_e514 * _e550);
+                                let _e559 = (2i * select(0i, select(select(i32(_e551), i32(-2147483648), (_e551 < -2147483600f)), 2147483647i, (_e551 > 2147483500f)), (_e551 == _e551)));
+                                let _e560 = (_e517 * _e550);
+                                let _e570 = bitcast<u32>(((2i * select(0i, select(select(i32(_e560), i32(-2147483648), (_e560 < -2147483600f)), 2147483647i, (_e560 > 2147483500f)), (_e560 == _e560))) - _e559));
+                                let _e571 = (_e570 == 0u);
+                                if _e571 {
+                                    phi_1476_ = 0u;
                                 } else {
-                                    phi_1409_ = select((bitcast<u32>(31i) - firstLeadingBit(_e438)), 32u, _e439);
+                                    phi_1476_ = select((bitcast<u32>(31i) - firstLeadingBit(_e570)), 32u, _e571);
                                 }
-                                let _e445 = phi_1409_;
-                                let _e448 = (_e438 << bitcast<u32>((_e445 & 31u)));
-                                let _e450 = (_e413 - bitcast<i32>(_e445));
-                                if (_e371 > 0u) {
-                                    if (_e294 == 0u) {
-                                        phi_1451_ = true;
-                                        phi_1452_ = false;
-                                        phi_1453_ = false;
-                                        phi_1454_ = false;
+                                let _e577 = phi_1476_;
+                                let _e580 = (_e570 << bitcast<u32>((_e577 & 31u)));
+                                let _e582 = (_e545 - bitcast<i32>(_e577));
+                                if (_e508 > 0u) {
+                                    if (_e436 == 0u) {
+                                        phi_1518_ = true;
+                                        phi_1519_ = false;
+                                        phi_1520_ = false;
+                                        phi_1521_ = false;
                                     } else {
-                                        let _e454 = (_e373 > _e296);
-                                        if _e454 {
-                                            phi_1446_ = false;
-                                            phi_1447_ = false;
-                                            phi_1448_ = false;
+                                        let _e586 = (_e510 > _e438);
+                                        if _e586 {
+                                            phi_1513_ = false;
+                                            phi_1514_ = false;
+                                            phi_1515_ = false;
                                         } else {
-                                            let _e455 = (_e373 == _e296);
-                                            if _e455 {
-                                                let _e456 = (_e371 > _e294);
-                                                phi_1441_ = _e456;
-                                                phi_1443_ = select(true, false, _e456);
+                                            let _e587 = (_e510 == _e438);
+                                            if _e587 {
+                                                let _e588 = (_e508 > _e436);
+                                                phi_1508_ = _e588;
+                                                phi_1510_ = select(true, false, _e588);
                                             } else {
-                                                phi_1441_ = false;
-                                                phi_1443_ = false;
+                                                phi_1508_ = false;
+                                                phi_1510_ = false;
                                             }
-                                            let _e459 = phi_1441_;
-                                            let _e461 = phi_1443_;
-                                            phi_1446_ = _e459;
-                                            phi_1447_ = select(true, false, _e455);
-                                            phi_1448_ = _e461;
+                                            let _e591 = phi_1508_;
+                                            let _e593 = phi_1510_;
+                                            phi_1513_ = _e591;
+                                            phi_1514_ = select(true, false, _e587);
+                                            phi_1515_ = _e593;
                                         }
-                                        let _e464 = phi_1446_;
-                                        let _e466 = phi_1447_;
-                                        let _e468 = phi_1448_;
-                                        phi_1451_ = _e454;
-                                        phi_1452_ = _e464;
-                                        phi_1453_ = _e466;
-                                        phi_1454_ = _e468;
+                                        let _e596 = phi_1513_;
+                                        let _e598 = phi_1514_;
+                                        let _e600 = phi_1515_;
+                                        phi_1518_ = _e586;
+                                        phi_1519_ = _e596;
+                                        phi_1520_ = _e598;
+                                        phi_1521_ = _e600;
                                     }
-                                    let _e470 = phi_1451_;
-                                    let _e472 = phi_1452_;
-                                    let _e474 = phi_1453_;
-                                    let _e476 = phi_1454_;
-                                    let _e477 = select(_e472, true, _e470);
-                                    phi_1467_ = select(select(_e474, false, _e470), false, _e477);
-                                    phi_1468_ = select(select(_e476, false, _e470), false, _e477);
+                                    let _e602 = phi_1518_;
+                                    let _e604 = phi_1519_;
+                                    let _e606 = phi_1520_;
+                                    let _e608 = phi_1521_;
+                                    let _e609 = select(_e604, true, _e602);
+                                    phi_1534_ = select(select(_e606, false, _e602), false, _e609);
+                                    phi_1535_ = select(select(_e608, false, _e602), false, _e609);
                                 } else {
-                                    phi_1467_ = true;
-                                    phi_1468_ = false;
+                                    phi_1534_ = true;
+                                    phi_1535_ = false;
                                 }
-                                let _e483 = phi_1467_;
-                                let _e485 = phi_1468_;
-                                if select(_e485, true, _e483) {
-                                    phi_1476_ = type_33(_e259, _e273, _e294, _e291, _e296);
+                                let _e615 = phi_1534_;
+                                let _e617 = phi_1535_;
+                                if select(_e617, true, _e615) {
+                                    phi_1543_ = type_33(_e401, _e415, _e436, _e433, _e438);
                                 } else {
-                                    phi_1476_ = type_33(_e336, _e350, _e371, _e368, _e373);
+                                    phi_1543_ = type_33(_e473, _e487, _e508, _e505, _e510);
                                 }
-                                let _e488 = phi_1476_;
-                                if (_e448 > 0u) {
-                                    if (_e488.member_2 == 0u) {
-                                        phi_1513_ = true;
-                                        phi_1514_ = false;
-                                        phi_1515_ = false;
-                                        phi_1516_ = false;
+                                let _e620 = phi_1543_;
+                                if (_e580 > 0u) {
+                                    if (_e620.member_2 == 0u) {
+                                        phi_1580_ = true;
+                                        phi_1581_ = false;
+                                        phi_1582_ = false;
+                                        phi_1583_ = false;
                                     } else {
-                                        let _e493 = (_e450 > _e488.member_4);
-                                        if _e493 {
-                                            phi_1508_ = false;
-                                            phi_1509_ = false;
-                                            phi_1510_ = false;
+                                        let _e625 = (_e582 > _e620.member_4);
+                                        if _e625 {
+                                            phi_1575_ = false;
+                                            phi_1576_ = false;
+                                            phi_1577_ = false;
                                         } else {
-                                            let _e494 = (_e450 == _e488.member_4);
-                                            if _e494 {
-                                                let _e495 = (_e448 > _e488.member_2);
-                                                phi_1503_ = _e495;
-                                                phi_1505_ = select(true, false, _e495);
+                                            let _e626 = (_e582 == _e620.member_4);
+                                            if _e626 {
+                                                let _e627 = (_e580 > _e620.member_2);
+                                                phi_1570_ = _e627;
+                                                phi_1572_ = select(true, false, _e627);
                                             } else {
-                                                phi_1503_ = false;
-                                                phi_1505_ = false;
+                                                phi_1570_ = false;
+                                                phi_1572_ = false;
                                             }
-                                            let _e498 = phi_1503_;
-                                            let _e500 = phi_1505_;
-                                            phi_1508_ = _e498;
-                                            phi_1509_ = select(true, false, _e494);
-                                            phi_1510_ = _e500;
+                                            let _e630 = phi_1570_;
+                                            let _e632 = phi_1572_;
+                                            phi_1575_ = _e630;
+                                            phi_1576_ = select(true, false, _e626);
+                                            phi_1577_ = _e632;
                                         }
-                                        let _e503 = phi_1508_;
-                                        let _e505 = phi_1509_;
-                                        let _e507 = phi_1510_;
-                                        phi_1513_ = _e493;
-                                        phi_1514_ = _e503;
-                                        phi_1515_ = _e505;
-                                        phi_1516_ = _e507;
+                                        let _e635 = phi_1575_;
+                                        let _e637 = phi_1576_;
+                                        let _e639 = phi_1577_;
+                                        phi_1580_ = _e625;
+                                        phi_1581_ = _e635;
+                                        phi_1582_ = _e637;
+                                        phi_1583_ = _e639;
                                     }
-                                    let _e509 = phi_1513_;
-                                    let _e511 = phi_1514_;
-                                    let _e513 = phi_1515_;
-                                    let _e515 = phi_1516_;
-                                    let _e516 = select(_e511, true, _e509);
-                                    phi_1529_ = select(select(_e513, false, _e509), false, _e516);
-                                    phi_1530_ = select(select(_e515, false, _e509), false, _e516);
+                                    let _e641 = phi_1580_;
+                                    let _e643 = phi_1581_;
+                                    let _e645 = phi_1582_;
+                                    let _e647 = phi_1583_;
+                                    let _e648 = select(_e643, true, _e641);
+                                    phi_1596_ = select(select(_e645, false, _e641), false, _e648);
+                                    phi_1597_ = select(select(_e647, false, _e641), false, _e648);
                                 } else {
-                                    phi_1529_ = true;
-                                    phi_1530_ = false;
+                                    phi_1596_ = true;
+                                    phi_1597_ = false;
                                 }
-                                let _e522 = phi_1529_;
-                                let _e524 = phi_1530_;
-                                if select(_e524, true, _e522) {
-                                    phi_1538_ = _e488;
+                                let _e654 = phi_1596_;
+                                let _e656 = phi_1597_;
+                                if select(_e656, true, _e654) {
+                                    phi_1605_ = _e620;
                                 } else {
-                                    phi_1538_ = type_33(_e413, _e427, _e448, _e445, _e450);
+                                    phi_1605_ = type_33(_e545, _e559, _e580, _e577, _e582);
                                 }
-                                let _e527 = phi_1538_;
-                                let _e531 = bitcast<i32>(_e217);
-                                let _e532 = (((_e527.member_4 - _e296) + 31i) - _e531);
-                                if (_e294 == 0u) {
-                                    phi_419_ = u32();
-                                    phi_420_ = true;
+                                let _e659 = phi_1605_;
+                                let _e663 = bitcast<i32>(_e364);
+                                let _e664 = (((_e659.member_4 - _e438) + 31i) - _e663);
+                                if (_e436 == 0u) {
+                                    phi_367_ = u32();
+                                    phi_368_ = true;
                                 } else {
-                                    let _e534 = (_e532 > 31i);
-                                    if _e534 {
-                                        phi_418_ = u32();
+                                    let _e666 = (_e664 > 31i);
+                                    if _e666 {
+                                        phi_366_ = u32();
                                     } else {
-                                        phi_418_ = bitcast<u32>(_e532);
+                                        phi_366_ = bitcast<u32>(_e664);
                                     }
-                                    let _e537 = phi_418_;
-                                    phi_419_ = _e537;
-                                    phi_420_ = _e534;
+                                    let _e669 = phi_366_;
+                                    phi_367_ = _e669;
+                                    phi_368_ = _e666;
                                 }
-                                let _e539 = phi_419_;
-                                let _e541 = phi_420_;
-                                let _e549 = (((_e527.member_4 - _e373) + 31i) - _e531);
-                                if (_e371 == 0u) {
-                                    phi_448_ = u32();
-                                    phi_449_ = true;
+                                let _e671 = phi_367_;
+                                let _e673 = phi_368_;
+                                let _e681 = (((_e659.member_4 - _e510) + 31i) - _e663);
+                                if (_e508 == 0u) {
+                                    phi_396_ = u32();
+                                    phi_397_ = true;
                                 } else {
-                                    let _e551 = (_e549 > 31i);
-                                    if _e551 {
-                                        phi_447_ = u32();
+                                    let _e683 = (_e681 > 31i);
+                                    if _e683 {
+                                        phi_395_ = u32();
                                     } else {
-                                        phi_447_ = bitcast<u32>(_e549);
+                                        phi_395_ = bitcast<u32>(_e681);
                                     }
-                                    let _e554 = phi_447_;
-                                    phi_448_ = _e554;
-                                    phi_449_ = _e551;
+                                    let _e686 = phi_395_;
+                                    phi_396_ = _e686;
+                                    phi_397_ = _e683;
                                 }
-                                let _e556 = phi_448_;
-                                let _e558 = phi_449_;
-                                let _e566 = (((_e527.member_4 - _e450) + 31i) - _e531);
-                                if (_e448 == 0u) {
-                                    phi_477_ = u32();
-                                    phi_478_ = true;
+                                let _e688 = phi_396_;
+                                let _e690 = phi_397_;
+                                let _e698 = (((_e659.member_4 - _e582) + 31i) - _e663);
+                                if (_e580 == 0u) {
+                                    phi_425_ = u32();
+                                    phi_426_ = true;
                                 } else {
-                                    let _e568 = (_e566 > 31i);
-                                    if _e568 {
-                                        phi_476_ = u32();
+                                    let _e700 = (_e698 > 31i);
+                                    if _e700 {
+                                        phi_424_ = u32();
                                     } else {
-                                        phi_476_ = bitcast<u32>(_e566);
+                                        phi_424_ = bitcast<u32>(_e698);
                                     }
-                                    let _e571 = phi_476_;
-                                    phi_477_ = _e571;
-                                    phi_478_ = _e568;
+                                    let _e703 = phi_424_;
+                                    phi_425_ = _e703;
+                                    phi_426_ = _e700;
                                 }
-                                let _e573 = phi_477_;
-                                let _e575 = phi_478_;
-                                if (_e527.member_2 == 0u) {
-                                    phi_552_ = 0u;
-                                } else {
-                                    phi_497_ = type_6(0u, 63u);
+                                let _e705 = phi_425_;
+                                let _e707 = phi_426_;
+                                if (_e659.member_2 == 0u) {
                                     phi_500_ = 0u;
-                                    phi_502_ = 0u;
+                                } else {
+                                    phi_445_ = type_6(0u, 63u);
+                                    phi_448_ = 0u;
+                                    phi_450_ = 0u;
                                     loop {
-                                        let _e585 = phi_497_;
-                                        let _e587 = phi_500_;
-                                        let _e589 = phi_502_;
-                                        local_3 = _e589;
-                                        if (_e585.member < _e585.member_1) {
-                                            phi_498_ = type_6((_e585.member + 1u), _e585.member_1);
-                                            phi_525_ = type_6(1u, _e585.member);
+                                        let _e717 = phi_445_;
+                                        let _e719 = phi_448_;
+                                        let _e721 = phi_450_;
+                                        local_3 = _e721;
+                                        if (_e717.member < _e717.member_1) {
+                                            phi_446_ = type_6((_e717.member + 1u), _e717.member_1);
+                                            phi_473_ = type_6(1u, _e717.member);
                                         } else {
-                                            phi_498_ = _e585;
-                                            phi_525_ = type_6(0u, type_6().member_1);
+                                            phi_446_ = _e717;
+                                            phi_473_ = type_6(0u, type_6().member_1);
                                         }
-                                        let _e602 = phi_498_;
-                                        let _e604 = phi_525_;
-                                        let _e607 = (bitcast<i32>(_e604.member) != 0i);
-                                        if _e607 {
-                                            let _e612 = ((_e587 << bitcast<u32>(1i)) | 1u);
-                                            let _e614 = (_e589 << bitcast<u32>(1i));
-                                            if ((_e587 >> bitcast<u32>(31i)) == 1u) {
-                                                phi_544_ = true;
+                                        let _e734 = phi_446_;
+                                        let _e736 = phi_473_;
+                                        let _e739 = (bitcast<i32>(_e736.member) != 0i);
+                                        if _e739 {
+                                            let _e744 = ((_e719 << bitcast<u32>(1i)) | 1u);
+                                            let _e746 = (_e721 << bitcast<u32>(1i));
+                                            if ((_e719 >> bitcast<u32>(31i)) == 1u) {
+                                                phi_492_ = true;
                                             } else {
-                                                phi_544_ = (_e612 >= _e527.member_2);
+                                                phi_492_ = (_e744 >= _e659.member_2);
                                             }
-                                            let _e618 = phi_544_;
-                                            if _e618 {
-                                                phi_550_ = (_e612 - _e527.member_2);
-                                                phi_551_ = (_e614 | 1u);
+                                            let _e750 = phi_492_;
+                                            if _e750 {
+                                                phi_498_ = (_e744 - _e659.member_2);
+                                                phi_499_ = (_e746 | 1u);
                                             } else {
-                                                phi_550_ = _e612;
-                                                phi_551_ = _e614;
+                                                phi_498_ = _e744;
+                                                phi_499_ = _e746;
                                             }
-                                            let _e622 = phi_550_;
-                                            let _e624 = phi_551_;
-                                            phi_501_ = _e622;
-                                            phi_503_ = _e624;
+                                            let _e754 = phi_498_;
+                                            let _e756 = phi_499_;
+                                            phi_449_ = _e754;
+                                            phi_451_ = _e756;
                                         } else {
-                                            phi_501_ = u32();
-                                            phi_503_ = u32();
+                                            phi_449_ = u32();
+                                            phi_451_ = u32();
                                         }
-                                        let _e626 = phi_501_;
-                                        let _e628 = phi_503_;
+                                        let _e758 = phi_449_;
+                                        let _e760 = phi_451_;
                                         continue;
                                         continuing {
-                                            phi_497_ = _e602;
-                                            phi_500_ = _e626;
-                                            phi_502_ = _e628;
-                                            break if !(_e607);
+                                            phi_445_ = _e734;
+                                            phi_448_ = _e758;
+                                            phi_450_ = _e760;
+                                            break if !(_e739);
                                         }
                                     }
-                                    let _e801 = local_3;
-                                    phi_552_ = _e801;
+                                    let _e916 = local_3;
+                                    phi_500_ = _e916;
                                 }
-                                let _e631 = phi_552_;
-                                phi_554_ = type_23(array<type_21, 3>(type_21(_e259, _e273, (_e291 | (select(_e539, 31u, _e541) << bitcast<u32>(16i)))), type_21(_e336, _e350, (_e368 | (select(_e556, 31u, _e558) << bitcast<u32>(16i)))), type_21(_e413, _e427, (_e445 | (select(_e573, 31u, _e575) << bitcast<u32>(16i))))), _e631);
+                                let _e763 = phi_500_;
+                                phi_502_ = type_23(array<type_21, 3>(type_21(_e401, _e415, (_e433 | (select(_e671, 31u, _e673) << bitcast<u32>(16i)))), type_21(_e473, _e487, (_e505 | (select(_e688, 31u, _e690) << bitcast<u32>(16i)))), type_21(_e545, _e559, (_e577 | (select(_e705, 31u, _e707) << bitcast<u32>(16i))))), _e763);
                             }
-                            let _e634 = phi_554_;
-                            if (0u < _e56) {
+                            let _e766 = phi_502_;
+                            if (0u < _e55) {
                             } else {
                                 break;
                             }
-                            global_3.member[0u] = _e634;
-                            let _e638 = local.member[0u];
-                            let _e639 = local.member_1[0u];
-                            if (_e638 > _e639) {
-                                phi_746_ = 0i;
+                            global_3.member[0u] = _e766;
+                            let _e770 = local.member[0u];
+                            let _e771 = local.member_1[0u];
+                            if (_e770 > _e771) {
+                                phi_641_ = 0i;
                             } else {
-                                let _e641 = local.member[0u];
-                                let _e642 = local.member_1[0u];
-                                let _e645 = bitcast<f32>((bitcast<u32>(_e641) & 2147483647u));
-                                let _e648 = bitcast<f32>((bitcast<u32>(_e642) & 2147483647u));
-                                let _e650 = select(_e648, _e645, (_e645 > _e648));
-                                let _e652 = select(_e648, _e645, (_e645 < _e648));
-                                let _e654 = select(_e652, _e650, (_e650 > _e652));
-                                let _e657 = local.member[1u];
-                                let _e660 = local.member_1[1u];
-                                let _e663 = bitcast<f32>((bitcast<u32>(_e657) & 2147483647u));
-                                let _e666 = bitcast<f32>((bitcast<u32>(_e660) & 2147483647u));
-                                let _e668 = select(_e666, _e663, (_e663 > _e666));
-                                let _e670 = select(_e666, _e663, (_e663 < _e666));
-                                let _e672 = select(_e670, _e668, (_e668 > _e670));
-                                let _e674 = select(_e672, _e654, (_e654 > _e672));
-                                let _e677 = local.member[2u];
-                                let _e680 = local.member_1[2u];
-                                let _e683 = bitcast<f32>((bitcast<u32>(_e677) & 2147483647u));
-                                let _e686 = bitcast<f32>((bitcast<u32>(_e680) & 2147483647u));
-                                let _e688 = select(_e686, _e683, (_e683 > _e686));
-                                let _e690 = select(_e686, _e683, (_e683 < _e686));
-                                let _e692 = select(_e690, _e688, (_e688 > _e690));
-                                let _e694 = select(_e692, _e674, (_e674 > _e692));
-                                if (_e694 > 0f) {
-                                    let _e697 = (bitcast<u32>(_e694) & 2147483647u);
-                                    if (_e697 >= 8388608u) {
-                                        phi_742_ = (bitcast<i32>((_e697 >> bitcast<u32>(23i))) - 127i);
+                                let _e773 = local.member[0u];
+                                let _e774 = local.member_1[0u];
+                                let _e776 = (bitcast<u32>(_e773) & 2147483647u);
+                                let _e778 = (bitcast<u32>(_e774) & 2147483647u);
+                                let _e780 = select(_e778, _e776, (_e778 < _e776));
+                                let _e783 = local.member[1u];
+                                let _e786 = local.member_1[1u];
+                                let _e788 = (bitcast<u32>(_e783) & 2147483647u);
+                                let _e790 = (bitcast<u32>(_e786) & 2147483647u);
+                                let _e792 = select(_e790, _e788, (_e790 < _e788));
+                                let _e794 = select(_e792, _e780, (_e792 < _e780));
+                                let _e797 = local.member[2u];
+                                let _e800 = local.member_1[2u];
+                                let _e802 = (bitcast<u32>(_e797) & 2147483647u);
+                                let _e804 = (bitcast<u32>(_e800) & 2147483647u);
+                                let _e806 = select(_e804, _e802, (_e804 < _e802));
+                                let _e808 = select(_e806, _e794, (_e806 < _e794));
+                                if (_e808 > 0u) {
+                                    let _e812 = (bitcast<u32>(bitcast<f32>(_e808)) & 2147483647u);
+                                    if (_e812 >= 8388608u) {
+                                        phi_637_ = (bitcast<i32>((_e812 >> bitcast<u32>(23i))) - 127i);
                                     } else {
-                                        phi_742_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e697)), 32u, (_e697 == 0u))));
+                                        phi_637_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e812)), 32u, (_e812 == 0u))));
                                     }
-                                    let _e711 = phi_742_;
-                                    phi_745_ = (-1i - _e711);
+                                    let _e826 = phi_637_;
+                                    phi_640_ = (-1i - _e826);
                                 } else {
-                                    phi_745_ = 0i;
+                                    phi_640_ = 0i;
                                 }
-                                let _e714 = phi_745_;
-                                phi_746_ = _e714;
+                                let _e829 = phi_640_;
+                                phi_641_ = _e829;
                             }
-                            let _e716 = phi_746_;
-                            if (0u < _e58) {
+                            let _e831 = phi_641_;
+                            if (0u < _e57) {
                             } else {
                                 break;
                             }
-                            global_4.member[0u] = bitcast<u32>(_e716);
-                            let _e721 = local;
-                            if (0u < _e60) {
+                            global_4.member[0u] = bitcast<u32>(_e831);
+                            let _e836 = local;
+                            if (0u < _e59) {
                             } else {
                                 break;
                             }
-                            global_5.member[0u] = array<f32, 6>(_e721.member.x, _e721.member.y, _e721.member.z, _e721.member_1.x, _e721.member_1.y, _e721.member_1.z);
+                            global_5.member[0u] = array<f32, 6>(_e836.member.x, _e836.member.y, _e836.member.z, _e836.member_1.x, _e836.member_1.y, _e836.member_1.z);
                         }
                     }
                 }

@@ -116,1296 +116,1339 @@ var<private> global_12: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 fn function_() {
     var local: type_53;
     var local_1: type_53;
-    var phi_295_: i32;
-    var phi_319_: array<u32, 3>;
-    var phi_334_: array<f32, 3>;
-    var phi_352_: array<f32, 3>;
-    var phi_370_: array<f32, 3>;
-    var phi_457_: array<u32, 3>;
-    var phi_474_: vec3<f32>;
-    var phi_491_: vec3<f32>;
-    var phi_508_: vec3<f32>;
-    var phi_642_: i32;
-    var phi_673_: i32;
-    var phi_692_: vec3<f32>;
-    var phi_775_: i32;
-    var phi_806_: i32;
-    var phi_825_: vec3<f32>;
-    var phi_867_: u32;
-    var phi_1002_: i32;
-    var phi_1083_: type_7;
-    var phi_1084_: type_7;
-    var phi_1107_: type_7;
-    var phi_4318_: bool;
-    var phi_1269_: type_7;
-    var phi_1272_: u32;
-    var phi_1274_: u32;
-    var phi_1270_: type_7;
-    var phi_1297_: type_7;
-    var phi_1313_: u32;
-    var phi_1273_: u32;
-    var phi_1275_: u32;
+    var phi_300_: i32;
+    var phi_324_: array<u32, 3>;
+    var phi_339_: array<f32, 3>;
+    var phi_357_: array<f32, 3>;
+    var phi_375_: array<f32, 3>;
+    var phi_750_: array<u32, 3>;
+    var phi_767_: vec3<f32>;
+    var phi_784_: vec3<f32>;
+    var phi_801_: vec3<f32>;
+    var phi_935_: i32;
+    var phi_966_: i32;
+    var phi_985_: vec3<f32>;
+    var phi_1068_: i32;
+    var phi_1099_: i32;
+    var phi_1118_: vec3<f32>;
+    var phi_1160_: u32;
+    var phi_1295_: i32;
+    var phi_1637_: type_7;
+    var phi_1638_: type_7;
+    var phi_1661_: type_7;
+    var phi_4959_: bool;
+    var phi_1910_: type_7;
+    var phi_1913_: u32;
+    var phi_1915_: u32;
+    var phi_1911_: type_7;
+    var phi_1938_: type_7;
+    var phi_1954_: u32;
+    var phi_1914_: u32;
+    var phi_1916_: u32;
     var local_2: u32;
-    var phi_1348_: i32;
-    var phi_1355_: i32;
-    var phi_2651_: f32;
-    var phi_2664_: f32;
-    var phi_1590_: array<f32, 2>;
-    var phi_1619_: type_53;
-    var phi_2728_: vec3<f32>;
-    var phi_2934_: bool;
-    var phi_2937_: bool;
-    var phi_2938_: bool;
-    var phi_3023_: f32;
-    var phi_3027_: f32;
-    var phi_3030_: f32;
-    var phi_3045_: f32;
-    var phi_3049_: f32;
-    var phi_3051_: f32;
-    var phi_3072_: f32;
-    var phi_3076_: f32;
-    var phi_3079_: f32;
-    var phi_3094_: f32;
-    var phi_3098_: f32;
-    var phi_3100_: f32;
-    var phi_3121_: f32;
-    var phi_3125_: f32;
-    var phi_3128_: f32;
-    var phi_3143_: f32;
-    var phi_3147_: f32;
-    var phi_3149_: f32;
-    var phi_3170_: vec3<f32>;
-    var phi_3204_: bool;
-    var phi_3210_: f32;
-    var phi_3246_: f32;
-    var phi_3291_: type_49;
-    var phi_3294_: type_49;
-    var phi_3295_: bool;
-    var phi_3297_: type_49;
-    var phi_3298_: bool;
-    var phi_3302_: type_49;
-    var phi_3304_: type_49;
-    var phi_3308_: type_49;
-    var phi_3309_: bool;
-    var phi_3313_: type_49;
-    var phi_3615_: vec3<f32>;
-    var phi_3821_: bool;
-    var phi_3824_: bool;
-    var phi_3825_: bool;
-    var phi_3910_: f32;
-    var phi_3914_: f32;
-    var phi_3917_: f32;
-    var phi_3932_: f32;
-    var phi_3936_: f32;
-    var phi_3938_: f32;
-    var phi_3959_: f32;
-    var phi_3963_: f32;
-    var phi_3966_: f32;
-    var phi_3981_: f32;
-    var phi_3985_: f32;
-    var phi_3987_: f32;
-    var phi_4008_: f32;
-    var phi_4012_: f32;
-    var phi_4015_: f32;
-    var phi_4030_: f32;
-    var phi_4034_: f32;
+    var phi_1989_: i32;
+    var phi_1996_: i32;
+    var phi_3292_: f32;
+    var phi_3305_: f32;
+    var phi_2231_: array<f32, 2>;
+    var phi_2260_: type_53;
+    var phi_3369_: vec3<f32>;
+    var phi_3575_: bool;
+    var phi_3578_: bool;
+    var phi_3579_: bool;
+    var phi_3664_: f32;
+    var phi_3668_: f32;
+    var phi_3671_: f32;
+    var phi_3686_: f32;
+    var phi_3690_: f32;
+    var phi_3692_: f32;
+    var phi_3713_: f32;
+    var phi_3717_: f32;
+    var phi_3720_: f32;
+    var phi_3735_: f32;
+    var phi_3739_: f32;
+    var phi_3741_: f32;
+    var phi_3762_: f32;
+    var phi_3766_: f32;
+    var phi_3769_: f32;
+    var phi_3784_: f32;
+    var phi_3788_: f32;
+    var phi_3790_: f32;
+    var phi_3811_: vec3<f32>;
+    var phi_3845_: bool;
+    var phi_3851_: f32;
+    var phi_3887_: f32;
+    var phi_3932_: type_49;
+    var phi_3935_: type_49;
+    var phi_3936_: bool;
+    var phi_3938_: type_49;
+    var phi_3939_: bool;
+    var phi_3943_: type_49;
+    var phi_3945_: type_49;
+    var phi_3949_: type_49;
+    var phi_3950_: bool;
+    var phi_3954_: type_49;
+    var phi_4256_: vec3<f32>;
+    var phi_4462_: bool;
+    var phi_4465_: bool;
+    var phi_4466_: bool;
+    var phi_4551_: f32;
+    var phi_4555_: f32;
+    var phi_4558_: f32;
+    var phi_4573_: f32;
+    var phi_4577_: f32;
+    var phi_4579_: f32;
+    var phi_4600_: f32;
+    var phi_4604_: f32;
+    var phi_4607_: f32;
+    var phi_4622_: f32;
+    var phi_4626_: f32;
+    var phi_4628_: f32;
+    var phi_4649_: f32;
+    var phi_4653_: f32;
+    var phi_4656_: f32;
+    var phi_4671_: f32;
+    var phi_4675_: f32;
+    var phi_4677_: f32;
+    var phi_4698_: vec3<f32>;
+    var phi_4732_: bool;
+    var phi_4738_: f32;
+    var phi_4774_: f32;
+    var phi_4819_: type_49;
+    var phi_4822_: type_49;
+    var phi_4823_: bool;
+    var phi_4825_: type_49;
+    var phi_4826_: bool;
+    var phi_4830_: type_49;
+    var phi_4832_: type_49;
+    var phi_4836_: type_49;
+    var phi_4837_: bool;
+    var phi_4841_: type_49;
+    var phi_4032_: f32;
     var phi_4036_: f32;
-    var phi_4057_: vec3<f32>;
-    var phi_4091_: bool;
-    var phi_4097_: f32;
-    var phi_4133_: f32;
-    var phi_4178_: type_49;
-    var phi_4181_: type_49;
-    var phi_4182_: bool;
-    var phi_4184_: type_49;
-    var phi_4185_: bool;
-    var phi_4189_: type_49;
-    var phi_4191_: type_49;
-    var phi_4195_: type_49;
-    var phi_4196_: bool;
-    var phi_4200_: type_49;
-    var phi_3391_: f32;
-    var phi_3395_: f32;
-    var phi_3398_: f32;
-    var phi_3413_: f32;
-    var phi_3417_: f32;
-    var phi_3419_: f32;
-    var phi_3440_: f32;
-    var phi_3444_: f32;
-    var phi_3447_: f32;
-    var phi_3462_: f32;
-    var phi_3466_: f32;
-    var phi_3468_: f32;
-    var phi_3489_: f32;
-    var phi_3493_: f32;
-    var phi_3496_: f32;
-    var phi_3511_: f32;
-    var phi_3515_: f32;
-    var phi_3517_: f32;
-    var phi_3538_: vec3<f32>;
-    var phi_3552_: type_49;
-    var phi_1661_: type_49;
-    var phi_1662_: type_49;
-    var phi_1663_: type_49;
-    var phi_1664_: type_49;
+    var phi_4039_: f32;
+    var phi_4054_: f32;
+    var phi_4058_: f32;
+    var phi_4060_: f32;
+    var phi_4081_: f32;
+    var phi_4085_: f32;
+    var phi_4088_: f32;
+    var phi_4103_: f32;
+    var phi_4107_: f32;
+    var phi_4109_: f32;
+    var phi_4130_: f32;
+    var phi_4134_: f32;
+    var phi_4137_: f32;
+    var phi_4152_: f32;
+    var phi_4156_: f32;
+    var phi_4158_: f32;
+    var phi_4179_: vec3<f32>;
+    var phi_4193_: type_49;
+    var phi_2302_: type_49;
+    var phi_2303_: type_49;
+    var phi_2304_: type_49;
+    var phi_2305_: type_49;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e86 = global;
-            let _e89 = arrayLength((&global_4.member));
-            let _e94 = arrayLength((&global_6.member));
-            let _e98 = arrayLength((&global_8.member));
-            let _e108 = (_e86.x + (_e86.y * 2097152u));
-            let _e109 = (_e108 < arrayLength((&global_10.member)));
-            if _e109 {
-                let _e110 = (_e108 < arrayLength((&global_9.member)));
-                if _e110 {
-                    let _e111 = (_e108 < arrayLength((&global_11.member)));
-                    if _e111 {
-                        if _e109 {
+            let _e90 = global;
+            let _e93 = arrayLength((&global_4.member));
+            let _e98 = arrayLength((&global_6.member));
+            let _e102 = arrayLength((&global_8.member));
+            let _e112 = (_e90.x + (_e90.y * 2097152u));
+            let _e113 = (_e112 < arrayLength((&global_10.member)));
+            if _e113 {
+                let _e114 = (_e112 < arrayLength((&global_9.member)));
+                if _e114 {
+                    let _e115 = (_e112 < arrayLength((&global_11.member)));
+                    if _e115 {
+                        if _e113 {
                         } else {
                             break;
                         }
-                        let _e114 = global_10.member[_e108];
-                        if _e110 {
+                        let _e118 = global_10.member[_e112];
+                        if _e114 {
                         } else {
                             break;
                         }
-                        let _e117 = global_9.member[_e108];
-                        if (_e114.member.member_1 <= _e114.member.member_3) {
-                            if (_e117.member_3 != 4294967295u) {
-                                if (_e98 == 0u) {
-                                    phi_1662_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                        let _e121 = global_9.member[_e112];
+                        if (_e118.member.member_1 <= _e118.member.member_3) {
+                            if (_e121.member_3 != 4294967295u) {
+                                if (_e102 == 0u) {
+                                    phi_2303_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                                 } else {
-                                    let _e128 = global_1.member[0u];
-                                    let _e129 = bitcast<i32>(_e128);
-                                    let _e130 = (_e129 < -126i);
-                                    if _e130 {
-                                        phi_295_ = -126i;
+                                    let _e132 = global_1.member[0u];
+                                    let _e133 = bitcast<i32>(_e132);
+                                    let _e134 = (_e133 < -126i);
+                                    if _e134 {
+                                        phi_300_ = -126i;
                                     } else {
-                                        phi_295_ = select(_e129, 127i, (_e129 > 127i));
+                                        phi_300_ = select(_e133, 127i, (_e133 > 127i));
                                     }
-                                    let _e134 = phi_295_;
-                                    let _e139 = bitcast<f32>((bitcast<u32>((_e134 + 127i)) << bitcast<u32>(23i)));
-                                    let _e145 = bitcast<f32>((bitcast<u32>(((_e129 - _e134) + 127i)) << bitcast<u32>(23i)));
-                                    let _e146 = (_e117.member_3 < arrayLength((&global_5.member)));
-                                    if _e146 {
-                                        if _e146 {
+                                    let _e138 = phi_300_;
+                                    let _e143 = bitcast<f32>((bitcast<u32>((_e138 + 127i)) << bitcast<u32>(23i)));
+                                    let _e149 = bitcast<f32>((bitcast<u32>(((_e133 - _e138) + 127i)) << bitcast<u32>(23i)));
+                                    let _e150 = (_e121.member_3 < arrayLength((&global_5.member)));
+                                    if _e150 {
+                                        if _e150 {
                                         } else {
                                             break;
                                         }
-                                        let _e148 = global_5.member[_e117.member_3];
-                                        phi_319_ = _e148;
+                                        let _e152 = global_5.member[_e121.member_3];
+                                        phi_324_ = _e152;
                                     } else {
-                                        phi_319_ = array<u32, 3>(0u, 0u, 0u);
+                                        phi_324_ = array<u32, 3>(0u, 0u, 0u);
                                     }
-                                    let _e150 = phi_319_;
-                                    let _e152 = (_e150[0] < _e89);
-                                    if _e152 {
-                                        if _e152 {
+                                    let _e154 = phi_324_;
+                                    let _e156 = (_e154[0] < _e93);
+                                    if _e156 {
+                                        if _e156 {
                                         } else {
                                             break;
                                         }
-                                        let _e154 = global_4.member[_e150[0]];
-                                        phi_334_ = _e154;
+                                        let _e158 = global_4.member[_e154[0]];
+                                        phi_339_ = _e158;
                                     } else {
-                                        phi_334_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_339_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e156 = phi_334_;
-                                    let _e161 = (_e150[1] < _e89);
-                                    if _e161 {
-                                        if _e161 {
+                                    let _e160 = phi_339_;
+                                    let _e165 = (_e154[1] < _e93);
+                                    if _e165 {
+                                        if _e165 {
                                         } else {
                                             break;
                                         }
-                                        let _e163 = global_4.member[_e150[1]];
-                                        phi_352_ = _e163;
+                                        let _e167 = global_4.member[_e154[1]];
+                                        phi_357_ = _e167;
                                     } else {
-                                        phi_352_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_357_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e165 = phi_352_;
-                                    let _e170 = (_e150[2] < _e89);
-                                    if _e170 {
-                                        if _e170 {
+                                    let _e169 = phi_357_;
+                                    let _e174 = (_e154[2] < _e93);
+                                    if _e174 {
+                                        if _e174 {
                                         } else {
                                             break;
                                         }
-                                        let _e172 = global_4.member[_e150[2]];
-                                        phi_370_ = _e172;
+                                        let _e176 = global_4.member[_e154[2]];
+                                        phi_375_ = _e176;
                                     } else {
-                                        phi_370_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_375_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e174 = phi_370_;
-                                    let _e179 = ((_e156[0] * _e139) * _e145);
-                                    let _e181 = select(_e179, 0f, (_e179 == 0f));
-                                    let _e183 = ((_e156[1] * _e139) * _e145);
-                                    let _e185 = select(_e183, 0f, (_e183 == 0f));
-                                    let _e187 = ((_e156[2] * _e139) * _e145);
-                                    let _e189 = select(_e187, 0f, (_e187 == 0f));
-                                    let _e191 = ((_e165[0] * _e139) * _e145);
-                                    let _e193 = select(_e191, 0f, (_e191 == 0f));
-                                    let _e195 = ((_e165[1] * _e139) * _e145);
-                                    let _e197 = select(_e195, 0f, (_e195 == 0f));
-                                    let _e199 = ((_e165[2] * _e139) * _e145);
-                                    let _e201 = select(_e199, 0f, (_e199 == 0f));
-                                    let _e203 = ((_e174[0] * _e139) * _e145);
-                                    let _e205 = select(_e203, 0f, (_e203 == 0f));
-                                    let _e207 = ((_e174[1] * _e139) * _e145);
-                                    let _e209 = select(_e207, 0f, (_e207 == 0f));
-                                    let _e211 = ((_e174[2] * _e139) * _e145);
-                                    let _e213 = select(_e211, 0f, (_e211 == 0f));
-                                    let _e214 = vec3<f32>(_e181, _e185, _e189);
-                                    if _e146 {
-                                        if _e146 {
+                                    let _e178 = phi_375_;
+                                    let _e182 = bitcast<u32>(_e160[0]);
+                                    let _e184 = ((_e182 & 2139095040u) != 0u);
+                                    let _e198 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e182 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e182 & 2147483648u))), _e160[0], _e184) * _e143) * select(0.00000011920929f, 1f, _e184)) * _e149);
+                                    let _e203 = select(_e198, 0f, (bitcast<f32>((bitcast<u32>(_e198) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e204 = bitcast<u32>(_e160[1]);
+                                    let _e206 = ((_e204 & 2139095040u) != 0u);
+                                    let _e220 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e204 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e204 & 2147483648u))), _e160[1], _e206) * _e143) * select(0.00000011920929f, 1f, _e206)) * _e149);
+                                    let _e225 = select(_e220, 0f, (bitcast<f32>((bitcast<u32>(_e220) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e226 = bitcast<u32>(_e160[2]);
+                                    let _e228 = ((_e226 & 2139095040u) != 0u);
+                                    let _e242 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e226 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e226 & 2147483648u))), _e160[2], _e228) * _e143) * select(0.00000011920929f, 1f, _e228)) * _e149);
+                                    let _e247 = select(_e242, 0f, (bitcast<f32>((bitcast<u32>(_e242) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e248 = bitcast<u32>(_e169[0]);
+                                    let _e250 = ((_e248 & 2139095040u) != 0u);
+                                    let _e264 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e248 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e248 & 2147483648u))), _e169[0], _e250) * _e143) * select(0.00000011920929f, 1f, _e250)) * _e149);
+                                    let _e269 = select(_e264, 0f, (bitcast<f32>((bitcast<u32>(_e264) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e270 = bitcast<u32>(_e169[1]);
+                                    let _e272 = ((_e270 & 2139095040u) != 0u);
+                                    let _e286 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e270 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e270 & 2147483648u))), _e169[1], _e272) * _e143) * select(0.00000011920929f, 1f, _e272)) * _e149);
+                                    let _e291 = select(_e286, 0f, (bitcast<f32>((bitcast<u32>(_e286) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e292 = bitcast<u32>(_e169[2]);
+                                    let _e294 = ((_e292 & 2139095040u) != 0u);
+                                    let _e308 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e292 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e292 & 2147483648u))), _e169[2], _e294) * _e143) * select(0.00000011920929f, 1f, _e294)) * _e149);
+                                    let _e313 = select(_e308, 0f, (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e314 = bitcast<u32>(_e178[0]);
+                                    let _e316 = ((_e314 & 2139095040u) != 0u);
+                                    let _e330 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e178[0], _e316) * _e143) * select(0.00000011920929f, 1f, _e316)) * _e149);
+                                    let _e335 = select(_e330, 0f, (bitcast<f32>((bitcast<u32>(_e330) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e336 = bitcast<u32>(_e178[1]);
+                                    let _e338 = ((_e336 & 2139095040u) != 0u);
+                                    let _e352 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e336 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e336 & 2147483648u))), _e178[1], _e338) * _e143) * select(0.00000011920929f, 1f, _e338)) * _e149);
+                                    let _e357 = select(_e352, 0f, (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e358 = bitcast<u32>(_e178[2]);
+                                    let _e360 = ((_e358 & 2139095040u) != 0u);
+                                    let _e374 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e358 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e358 & 2147483648u))), _e178[2], _e360) * _e143) * select(0.00000011920929f, 1f, _e360)) * _e149);
+                                    let _e379 = select(_e374, 0f, (bitcast<f32>((bitcast<u32>(_e374) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e380 = vec3<f32>(_e203, _e225, _e247);
+                                    if _e150 {
+                                        if _e150 {
                                         } else {
                                             break;
                                         }
-                                        let _e216 = global_5.member[_e117.member_3];
-                                        phi_457_ = _e216;
+                                        let _e382 = global_5.member[_e121.member_3];
+                                        phi_750_ = _e382;
                                     } else {
-                                        phi_457_ = array<u32, 3>(0u, 0u, 0u);
+                                        phi_750_ = array<u32, 3>(0u, 0u, 0u);
                                     }
-                                    let _e218 = phi_457_;
-                                    let _e220 = (_e218[0] < _e94);
-                                    if _e220 {
-                                        if _e220 {
+                                    let _e384 = phi_750_;
+                                    let _e386 = (_e384[0] < _e98);
+                                    if _e386 {
+                                        if _e386 {
                                         } else {
                                             break;
                                         }
-                                        let _e223 = global_6.member[_e218[0]];
-                                        phi_474_ = vec3<f32>(_e223[0], _e223[1], _e223[2]);
+                                        let _e389 = global_6.member[_e384[0]];
+                                        phi_767_ = vec3<f32>(_e389[0], _e389[1], _e389[2]);
                                     } else {
-                                        phi_474_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_767_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e229 = phi_474_;
-                                    let _e231 = (_e218[1] < _e94);
-                                    if _e231 {
-                                        if _e231 {
+                                    let _e395 = phi_767_;
+                                    let _e397 = (_e384[1] < _e98);
+                                    if _e397 {
+                                        if _e397 {
                                         } else {
                                             break;
                                         }
-                                        let _e234 = global_6.member[_e218[1]];
-                                        phi_491_ = vec3<f32>(_e234[0], _e234[1], _e234[2]);
+                                        let _e400 = global_6.member[_e384[1]];
+                                        phi_784_ = vec3<f32>(_e400[0], _e400[1], _e400[2]);
                                     } else {
-                                        phi_491_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_784_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e240 = phi_491_;
-                                    let _e242 = (_e218[2] < _e94);
-                                    if _e242 {
-                                        if _e242 {
+                                    let _e406 = phi_784_;
+                                    let _e408 = (_e384[2] < _e98);
+                                    if _e408 {
+                                        if _e408 {
                                         } else {
                                             break;
                                         }
-                                        let _e245 = global_6.member[_e218[2]];
-                                        phi_508_ = vec3<f32>(_e245[0], _e245[1], _e245[2]);
+                                        let _e411 = global_6.member[_e384[2]];
+                                        phi_801_ = vec3<f32>(_e411[0], _e411[1], _e411[2]);
                                     } else {
-                                        phi_508_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_801_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e251 = phi_508_;
-                                    let _e260 = ((1f - _e117.member_1) - _e117.member_2);
-                                    let _e262 = select(0f, _e260, (_e260 > 0f));
-                                    let _e264 = select(1f, _e117.member_1, (_e117.member_1 < 1f));
-                                    let _e266 = select(1f, _e117.member_2, (_e117.member_2 < 1f));
-                                    let _e267 = (_e181 * _e262);
-                                    let _e268 = (_e185 * _e262);
-                                    let _e269 = (_e189 * _e262);
-                                    let _e270 = (_e193 * _e264);
-                                    let _e271 = (_e197 * _e264);
-                                    let _e272 = (_e201 * _e264);
-                                    let _e273 = (_e205 * _e266);
-                                    let _e274 = (_e209 * _e266);
-                                    let _e275 = (_e213 * _e266);
-                                    let _e279 = ((_e267 + _e270) + _e273);
-                                    let _e280 = ((_e268 + _e271) + _e274);
-                                    let _e281 = ((_e269 + _e272) + _e275);
-                                    let _e315 = (((bitcast<f32>((bitcast<u32>(_e267) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e270) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e273) & 2147483647u))) * 0.00000071525625f);
-                                    let _e316 = (((bitcast<f32>((bitcast<u32>(_e268) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e271) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e274) & 2147483647u))) * 0.00000071525625f);
-                                    let _e317 = (((bitcast<f32>((bitcast<u32>(_e269) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e272) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e275) & 2147483647u))) * 0.00000071525625f);
-                                    let _e318 = (_e193 - _e181);
-                                    let _e319 = (_e197 - _e185);
-                                    let _e320 = (_e201 - _e189);
-                                    let _e321 = (_e205 - _e181);
-                                    let _e322 = (_e209 - _e185);
-                                    let _e323 = (_e213 - _e189);
-                                    let _e324 = (_e319 * _e323);
-                                    let _e326 = (_e324 - (_e322 * _e320));
-                                    let _e327 = (_e320 * _e321);
-                                    let _e329 = (_e327 - (_e323 * _e318));
-                                    let _e330 = (_e318 * _e322);
-                                    let _e332 = (_e330 - (_e321 * _e319));
-                                    let _e335 = bitcast<f32>((bitcast<u32>(_e326) & 2147483647u));
-                                    let _e338 = bitcast<f32>((bitcast<u32>(_e329) & 2147483647u));
-                                    let _e340 = select(_e338, _e335, (_e335 > _e338));
-                                    let _e343 = bitcast<f32>((bitcast<u32>(_e332) & 2147483647u));
-                                    let _e345 = select(_e343, _e340, (_e340 > _e343));
-                                    if (_e345 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_692_ = vec3<f32>(0f, 0f, 0f);
+                                    let _e417 = phi_801_;
+                                    let _e426 = ((1f - _e121.member_1) - _e121.member_2);
+                                    let _e428 = select(0f, _e426, (_e426 > 0f));
+                                    let _e430 = select(1f, _e121.member_1, (_e121.member_1 < 1f));
+                                    let _e432 = select(1f, _e121.member_2, (_e121.member_2 < 1f));
+                                    let _e433 = (_e203 * _e428);
+                                    let _e434 = (_e225 * _e428);
+                                    let _e435 = (_e247 * _e428);
+                                    let _e436 = (_e269 * _e430);
+                                    let _e437 = (_e291 * _e430);
+                                    let _e438 = (_e313 * _e430);
+                                    let _e439 = (_e335 * _e432);
+                                    let _e440 = (_e357 * _e432);
+                                    let _e441 = (_e379 * _e432);
+                                    let _e445 = ((_e433 + _e436) + _e439);
+                                    let _e446 = ((_e434 + _e437) + _e440);
+                                    let _e447 = ((_e435 + _e438) + _e441);
+                                    let _e481 = (((bitcast<f32>((bitcast<u32>(_e433) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e436) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e439) & 2147483647u))) * 0.00000071525625f);
+                                    let _e482 = (((bitcast<f32>((bitcast<u32>(_e434) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e437) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e440) & 2147483647u))) * 0.00000071525625f);
+                                    let _e483 = (((bitcast<f32>((bitcast<u32>(_e435) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e438) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e441) & 2147483647u))) * 0.00000071525625f);
+                                    let _e484 = (_e269 - _e203);
+                                    let _e485 = (_e291 - _e225);
+                                    let _e486 = (_e313 - _e247);
+                                    let _e487 = (_e335 - _e203);
+                                    let _e488 = (_e357 - _e225);
+                                    let _e489 = (_e379 - _e247);
+                                    let _e490 = (_e485 * _e489);
+                                    let _e492 = (_e490 - (_e488 * _e486));
+                                    let _e493 = (_e486 * _e487);
+                                    let _e495 = (_e493 - (_e489 * _e484));
+                                    let _e496 = (_e484 * _e488);
+                                    let _e498 = (_e496 - (_e487 * _e485));
+                                    let _e501 = bitcast<f32>((bitcast<u32>(_e492) & 2147483647u));
+                                    let _e504 = bitcast<f32>((bitcast<u32>(_e495) & 2147483647u));
+                                    let _e506 = select(_e504, _e501, (_e501 > _e504));
+                                    let _e509 = bitcast<f32>((bitcast<u32>(_e498) & 2147483647u));
+                                    let _e511 = select(_e509, _e506, (_e506 > _e509));
+                                    if (_e511 < 0.000000000000000000000000000000000000011754944f) {
+                                        phi_985_ = vec3<f32>(0f, 0f, 0f);
                                     } else {
-                                        let _e348 = (bitcast<u32>(_e345) & 2147483647u);
-                                        let _e349 = (_e348 >= 8388608u);
-                                        if _e349 {
-                                            phi_642_ = (bitcast<i32>((_e348 >> bitcast<u32>(23i))) - 127i);
+                                        let _e514 = (bitcast<u32>(_e511) & 2147483647u);
+                                        let _e515 = (_e514 >= 8388608u);
+                                        if _e515 {
+                                            phi_935_ = (bitcast<i32>((_e514 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_642_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e348)), 32u, (_e348 == 0u))));
+                                            phi_935_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e514)), 32u, (_e514 == 0u))));
                                         }
-                                        let _e362 = phi_642_;
-                                        let _e369 = bitcast<f32>((bitcast<u32>(((_e362 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                        if _e349 {
-                                            phi_673_ = (bitcast<i32>((_e348 >> bitcast<u32>(23i))) - 127i);
+                                        let _e528 = phi_935_;
+                                        let _e535 = bitcast<f32>((bitcast<u32>(((_e528 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                        if _e515 {
+                                            phi_966_ = (bitcast<i32>((_e514 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_673_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e348)), 32u, (_e348 == 0u))));
+                                            phi_966_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e514)), 32u, (_e514 == 0u))));
                                         }
-                                        let _e385 = phi_673_;
-                                        let _e391 = bitcast<f32>((bitcast<u32>((((_e362 / 2i) - _e385) + 127i)) << bitcast<u32>(23i)));
-                                        let _e392 = ((_e326 * _e369) * _e391);
-                                        let _e393 = ((_e329 * _e369) * _e391);
-                                        let _e394 = ((_e332 * _e369) * _e391);
-                                        let _e400 = sqrt((((_e392 * _e392) + (_e393 * _e393)) + (_e394 * _e394)));
-                                        phi_692_ = vec3<f32>((_e392 / _e400), (_e393 / _e400), (_e394 / _e400));
+                                        let _e551 = phi_966_;
+                                        let _e557 = bitcast<f32>((bitcast<u32>((((_e528 / 2i) - _e551) + 127i)) << bitcast<u32>(23i)));
+                                        let _e558 = ((_e492 * _e535) * _e557);
+                                        let _e559 = ((_e495 * _e535) * _e557);
+                                        let _e560 = ((_e498 * _e535) * _e557);
+                                        let _e566 = sqrt((((_e558 * _e558) + (_e559 * _e559)) + (_e560 * _e560)));
+                                        phi_985_ = vec3<f32>((_e558 / _e566), (_e559 / _e566), (_e560 / _e566));
                                     }
-                                    let _e406 = phi_692_;
-                                    let _e416 = select(1f, -1f, ((((_e406.x * _e114.member.member_2[0]) + (_e406.y * _e114.member.member_2[1])) + (_e406.z * _e114.member.member_2[2])) > 0f));
-                                    let _e420 = (_e406 * _e416);
-                                    let _e442 = (((_e229.x * _e262) + (_e240.x * _e264)) + (_e251.x * _e266));
-                                    let _e443 = (((_e229.y * _e262) + (_e240.y * _e264)) + (_e251.y * _e266));
-                                    let _e444 = (((_e229.z * _e262) + (_e240.z * _e264)) + (_e251.z * _e266));
-                                    let _e447 = bitcast<f32>((bitcast<u32>(_e442) & 2147483647u));
-                                    let _e450 = bitcast<f32>((bitcast<u32>(_e443) & 2147483647u));
-                                    let _e452 = select(_e450, _e447, (_e447 > _e450));
-                                    let _e455 = bitcast<f32>((bitcast<u32>(_e444) & 2147483647u));
-                                    let _e457 = select(_e455, _e452, (_e452 > _e455));
-                                    if (_e457 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_825_ = vec3<f32>(0f, 0f, 0f);
+                                    let _e572 = phi_985_;
+                                    let _e582 = select(1f, -1f, ((((_e572.x * _e118.member.member_2[0]) + (_e572.y * _e118.member.member_2[1])) + (_e572.z * _e118.member.member_2[2])) > 0f));
+                                    let _e586 = (_e572 * _e582);
+                                    let _e608 = (((_e395.x * _e428) + (_e406.x * _e430)) + (_e417.x * _e432));
+                                    let _e609 = (((_e395.y * _e428) + (_e406.y * _e430)) + (_e417.y * _e432));
+                                    let _e610 = (((_e395.z * _e428) + (_e406.z * _e430)) + (_e417.z * _e432));
+                                    let _e613 = bitcast<f32>((bitcast<u32>(_e608) & 2147483647u));
+                                    let _e616 = bitcast<f32>((bitcast<u32>(_e609) & 2147483647u));
+                                    let _e618 = select(_e616, _e613, (_e613 > _e616));
+                                    let _e621 = bitcast<f32>((bitcast<u32>(_e610) & 2147483647u));
+                                    let _e623 = select(_e621, _e618, (_e618 > _e621));
+                                    if (_e623 < 0.000000000000000000000000000000000000011754944f) {
+                                        phi_1118_ = vec3<f32>(0f, 0f, 0f);
                                     } else {
-                                        let _e460 = (bitcast<u32>(_e457) & 2147483647u);
-                                        let _e461 = (_e460 >= 8388608u);
-                                        if _e461 {
-                                            phi_775_ = (bitcast<i32>((_e460 >> bitcast<u32>(23i))) - 127i);
+                                        let _e626 = (bitcast<u32>(_e623) & 2147483647u);
+                                        let _e627 = (_e626 >= 8388608u);
+                                        if _e627 {
+                                            phi_1068_ = (bitcast<i32>((_e626 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_775_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e460)), 32u, (_e460 == 0u))));
+                                            phi_1068_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e626)), 32u, (_e626 == 0u))));
                                         }
-                                        let _e474 = phi_775_;
-                                        let _e481 = bitcast<f32>((bitcast<u32>(((_e474 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                        if _e461 {
-                                            phi_806_ = (bitcast<i32>((_e460 >> bitcast<u32>(23i))) - 127i);
+                                        let _e640 = phi_1068_;
+                                        let _e647 = bitcast<f32>((bitcast<u32>(((_e640 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                        if _e627 {
+                                            phi_1099_ = (bitcast<i32>((_e626 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_806_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e460)), 32u, (_e460 == 0u))));
+                                            phi_1099_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e626)), 32u, (_e626 == 0u))));
                                         }
-                                        let _e497 = phi_806_;
-                                        let _e503 = bitcast<f32>((bitcast<u32>((((_e474 / 2i) - _e497) + 127i)) << bitcast<u32>(23i)));
-                                        let _e504 = ((_e442 * _e481) * _e503);
-                                        let _e505 = ((_e443 * _e481) * _e503);
-                                        let _e506 = ((_e444 * _e481) * _e503);
-                                        let _e512 = sqrt((((_e504 * _e504) + (_e505 * _e505)) + (_e506 * _e506)));
-                                        phi_825_ = vec3<f32>((_e504 / _e512), (_e505 / _e512), (_e506 / _e512));
+                                        let _e663 = phi_1099_;
+                                        let _e669 = bitcast<f32>((bitcast<u32>((((_e640 / 2i) - _e663) + 127i)) << bitcast<u32>(23i)));
+                                        let _e670 = ((_e608 * _e647) * _e669);
+                                        let _e671 = ((_e609 * _e647) * _e669);
+                                        let _e672 = ((_e610 * _e647) * _e669);
+                                        let _e678 = sqrt((((_e670 * _e670) + (_e671 * _e671)) + (_e672 * _e672)));
+                                        phi_1118_ = vec3<f32>((_e670 / _e678), (_e671 / _e678), (_e672 / _e678));
                                     }
-                                    let _e518 = phi_825_;
-                                    let _e533 = select(_e420, (_e518 * _e416), vec3((((((_e518.x * _e416) * (_e406.x * _e416)) + ((_e518.y * _e416) * (_e406.y * _e416))) + ((_e518.z * _e416) * (_e406.z * _e416))) > 0f)));
-                                    let _e534 = (_e117.member_3 < arrayLength((&global_7.member)));
-                                    if _e534 {
-                                        if _e534 {
+                                    let _e684 = phi_1118_;
+                                    let _e699 = select(_e586, (_e684 * _e582), vec3((((((_e684.x * _e582) * (_e572.x * _e582)) + ((_e684.y * _e582) * (_e572.y * _e582))) + ((_e684.z * _e582) * (_e572.z * _e582))) > 0f)));
+                                    let _e700 = (_e121.member_3 < arrayLength((&global_7.member)));
+                                    if _e700 {
+                                        if _e700 {
                                         } else {
                                             break;
                                         }
-                                        let _e537 = global_7.member[_e117.member_3];
-                                        phi_867_ = _e537;
+                                        let _e703 = global_7.member[_e121.member_3];
+                                        phi_1160_ = _e703;
                                     } else {
-                                        phi_867_ = 0u;
+                                        phi_1160_ = 0u;
                                     }
-                                    let _e539 = phi_867_;
-                                    let _e541 = select(_e539, 0u, (_e539 >= _e98));
-                                    if (_e541 < _e98) {
+                                    let _e705 = phi_1160_;
+                                    let _e707 = select(_e705, 0u, (_e705 >= _e102));
+                                    if (_e707 < _e102) {
                                     } else {
                                         break;
                                     }
-                                    let _e545 = global_8.member[_e541];
-                                    let _e552 = global_3.member[0u];
-                                    let _e555 = global_3.member[1u];
-                                    let _e558 = global_2.member[0u];
-                                    let _e568 = global_2.member[0u][3u];
-                                    let _e571 = global_2.member[1u];
-                                    let _e581 = global_2.member[1u][3u];
-                                    let _e585 = global_2.member[2u];
-                                    let _e595 = global_2.member[2u][3u];
-                                    let _e598 = global_2.member[3u];
-                                    let _e608 = global_2.member[3u][3u];
-                                    let _e611 = global_2.member[4u];
-                                    let _e621 = global_2.member[4u][3u];
-                                    local_1 = type_53(array<f32, 3>(bitcast<f32>(_e558.x), bitcast<f32>(_e558.y), bitcast<f32>(_e558.z)), _e568, array<f32, 3>(bitcast<f32>(_e571.x), bitcast<f32>(_e571.y), bitcast<f32>(_e571.z)), bitcast<f32>(_e581), array<f32, 3>(bitcast<f32>(_e585.x), bitcast<f32>(_e585.y), bitcast<f32>(_e585.z)), _e595, array<f32, 3>(bitcast<f32>(_e598.x), bitcast<f32>(_e598.y), bitcast<f32>(_e598.z)), _e608, array<f32, 3>(bitcast<f32>(_e611.x), bitcast<f32>(_e611.y), bitcast<f32>(_e611.z)), _e621);
-                                    if _e130 {
-                                        phi_1002_ = -126i;
+                                    let _e711 = global_8.member[_e707];
+                                    let _e718 = global_3.member[0u];
+                                    let _e721 = global_3.member[1u];
+                                    let _e724 = global_2.member[0u];
+                                    let _e734 = global_2.member[0u][3u];
+                                    let _e737 = global_2.member[1u];
+                                    let _e747 = global_2.member[1u][3u];
+                                    let _e751 = global_2.member[2u];
+                                    let _e761 = global_2.member[2u][3u];
+                                    let _e764 = global_2.member[3u];
+                                    let _e774 = global_2.member[3u][3u];
+                                    let _e777 = global_2.member[4u];
+                                    let _e787 = global_2.member[4u][3u];
+                                    local_1 = type_53(array<f32, 3>(bitcast<f32>(_e724.x), bitcast<f32>(_e724.y), bitcast<f32>(_e724.z)), _e734, array<f32, 3>(bitcast<f32>(_e737.x), bitcast<f32>(_e737.y), bitcast<f32>(_e737.z)), bitcast<f32>(_e747), array<f32, 3>(bitcast<f32>(_e751.x), bitcast<f32>(_e751.y), bitcast<f32>(_e751.z)), _e761, array<f32, 3>(bitcast<f32>(_e764.x), bitcast<f32>(_e764.y), bitcast<f32>(_e764.z)), _e774, array<f32, 3>(bitcast<f32>(_e777.x), bitcast<f32>(_e777.y), bitcast<f32>(_e777.z)), _e787);
+                                    if _e134 {
+                                        phi_1295_ = -126i;
                                     } else {
-                                        phi_1002_ = select(_e129, 127i, (_e129 > 127i));
+                                        phi_1295_ = select(_e133, 127i, (_e133 > 127i));
                                     }
-                                    let _e631 = phi_1002_;
-                                    let _e636 = bitcast<f32>((bitcast<u32>((_e631 + 127i)) << bitcast<u32>(23i)));
-                                    let _e642 = bitcast<f32>((bitcast<u32>(((_e129 - _e631) + 127i)) << bitcast<u32>(23i)));
-                                    let _e643 = local_1;
-                                    local = _e643;
-                                    let _e645 = local_1.member_1;
-                                    if (_e645 == 1u) {
-                                        let _e648 = local_1.member;
-                                        local.member = array<f32, 3>(((_e648[0] * _e636) * _e642), ((_e648[1] * _e636) * _e642), ((_e648[2] * _e636) * _e642));
-                                        let _e661 = local_1.member_4;
-                                        local.member_4 = array<f32, 3>(((_e661[0] * _e636) * _e642), ((_e661[1] * _e636) * _e642), ((_e661[2] * _e636) * _e642));
-                                        let _e674 = local_1.member_6;
-                                        local.member_6 = array<f32, 3>(((_e674[0] * _e636) * _e642), ((_e674[1] * _e636) * _e642), ((_e674[2] * _e636) * _e642));
-                                        phi_1083_ = type_7(0u, 3u);
+                                    let _e797 = phi_1295_;
+                                    let _e802 = bitcast<f32>((bitcast<u32>((_e797 + 127i)) << bitcast<u32>(23i)));
+                                    let _e808 = bitcast<f32>((bitcast<u32>(((_e133 - _e797) + 127i)) << bitcast<u32>(23i)));
+                                    let _e809 = local_1;
+                                    local = _e809;
+                                    let _e811 = local_1.member_1;
+                                    if (_e811 == 1u) {
+                                        let _e814 = local_1.member;
+                                        let _e818 = bitcast<u32>(_e814[0]);
+                                        let _e820 = ((_e818 & 2139095040u) != 0u);
+                                        let _e835 = bitcast<u32>(_e814[1]);
+                                        let _e837 = ((_e835 & 2139095040u) != 0u);
+                                        let _e852 = bitcast<u32>(_e814[2]);
+                                        let _e854 = ((_e852 & 2139095040u) != 0u);
+                                        local.member = array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e818 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e818 & 2147483648u))), _e814[0], _e820) * _e802) * select(0.00000011920929f, 1f, _e820)) * _e808), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e835 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e835 & 2147483648u))), _e814[1], _e837) * _e802) * select(0.00000011920929f, 1f, _e837)) * _e808), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e852 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e852 & 2147483648u))), _e814[2], _e854) * _e802) * select(0.00000011920929f, 1f, _e854)) * _e808));
+                                        let _e872 = local_1.member_4;
+                                        let _e876 = bitcast<u32>(_e872[0]);
+                                        let _e878 = ((_e876 & 2139095040u) != 0u);
+                                        let _e893 = bitcast<u32>(_e872[1]);
+                                        let _e895 = ((_e893 & 2139095040u) != 0u);
+                                        let _e910 = bitcast<u32>(_e872[2]);
+                                        let _e912 = ((_e910 & 2139095040u) != 0u);
+                                        local.member_4 = array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e876 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e876 & 2147483648u))), _e872[0], _e878) * _e802) * select(0.00000011920929f, 1f, _e878)) * _e808), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e893 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e893 & 2147483648u))), _e872[1], _e895) * _e802) * select(0.00000011920929f, 1f, _e895)) * _e808), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e910 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e910 & 2147483648u))), _e872[2], _e912) * _e802) * select(0.00000011920929f, 1f, _e912)) * _e808));
+                                        let _e930 = local_1.member_6;
+                                        let _e934 = bitcast<u32>(_e930[0]);
+                                        let _e936 = ((_e934 & 2139095040u) != 0u);
+                                        let _e951 = bitcast<u32>(_e930[1]);
+                                        let _e953 = ((_e951 & 2139095040u) != 0u);
+                                        let _e968 = bitcast<u32>(_e930[2]);
+                                        let _e970 = ((_e968 & 2139095040u) != 0u);
+                                        local.member_6 = array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e934 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e934 & 2147483648u))), _e930[0], _e936) * _e802) * select(0.00000011920929f, 1f, _e936)) * _e808), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e951 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e951 & 2147483648u))), _e930[1], _e953) * _e802) * select(0.00000011920929f, 1f, _e953)) * _e808), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e968 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e968 & 2147483648u))), _e930[2], _e970) * _e802) * select(0.00000011920929f, 1f, _e970)) * _e808));
+                                        phi_1637_ = type_7(0u, 3u);
                                         loop {
-                                            let _e687 = phi_1083_;
-                                            if (_e687.member < _e687.member_1) {
-                                                phi_1084_ = type_7((_e687.member + 1u), _e687.member_1);
-                                                phi_1107_ = type_7(1u, _e687.member);
+                                            let _e988 = phi_1637_;
+                                            if (_e988.member < _e988.member_1) {
+                                                phi_1638_ = type_7((_e988.member + 1u), _e988.member_1);
+                                                phi_1661_ = type_7(1u, _e988.member);
                                             } else {
-                                                phi_1084_ = _e687;
-                                                phi_1107_ = type_7(0u, type_7().member_1);
+                                                phi_1638_ = _e988;
+                                                phi_1661_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e700 = phi_1084_;
-                                            let _e702 = phi_1107_;
-                                            let _e706 = (bitcast<i32>(_e702.member) != 0i);
-                                            if _e706 {
-                                                let _e707 = (_e702.member_1 < 3u);
-                                                if _e707 {
+                                            let _e1001 = phi_1638_;
+                                            let _e1003 = phi_1661_;
+                                            let _e1007 = (bitcast<i32>(_e1003.member) != 0i);
+                                            if _e1007 {
+                                                let _e1008 = (_e1003.member_1 < 3u);
+                                                if _e1008 {
                                                 } else {
-                                                    phi_4318_ = true;
+                                                    phi_4959_ = true;
                                                     break;
                                                 }
-                                                let _e710 = local_1.member_2[_e702.member_1];
-                                                let _e714 = ((((_e710 * _e636) * _e642) * _e636) * _e642);
-                                                if _e707 {
+                                                let _e1011 = local_1.member_2[_e1003.member_1];
+                                                let _e1012 = bitcast<u32>(_e1011);
+                                                let _e1014 = ((_e1012 & 2139095040u) != 0u);
+                                                let _e1028 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1012 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1012 & 2147483648u))), _e1011, _e1014) * _e802) * select(0.00000011920929f, 1f, _e1014)) * _e808);
+                                                let _e1029 = bitcast<u32>(_e1028);
+                                                let _e1031 = ((_e1029 & 2139095040u) != 0u);
+                                                let _e1045 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1029 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1029 & 2147483648u))), _e1028, _e1031) * _e802) * select(0.00000011920929f, 1f, _e1031)) * _e808);
+                                                if _e1008 {
                                                 } else {
-                                                    phi_4318_ = true;
+                                                    phi_4959_ = true;
                                                     break;
                                                 }
-                                                local.member_2[_e702.member_1] = select(340282350000000000000000000000000000000f, _e714, (_e714 < 340282350000000000000000000000000000000f));
+                                                local.member_2[_e1003.member_1] = select(340282350000000000000000000000000000000f, _e1045, (_e1045 < 340282350000000000000000000000000000000f));
                                             }
                                             continue;
                                             continuing {
-                                                phi_1083_ = _e700;
-                                                phi_4318_ = false;
-                                                break if !(_e706);
+                                                phi_1637_ = _e1001;
+                                                phi_4959_ = false;
+                                                break if !(_e1007);
                                             }
                                         }
-                                        let _e721 = phi_4318_;
-                                        if _e721 {
+                                        let _e1052 = phi_4959_;
+                                        if _e1052 {
                                             break;
                                         }
-                                        let _e723 = local_1.member_3;
-                                        if (_e723 < 340282350000000000000000000000000000000f) {
-                                            let _e725 = local_1.member_3;
-                                            let _e727 = ((_e725 * _e636) * _e642);
-                                            local.member_3 = select(340282350000000000000000000000000000000f, _e727, (_e727 < 340282350000000000000000000000000000000f));
+                                        let _e1054 = local_1.member_3;
+                                        if (_e1054 < 340282350000000000000000000000000000000f) {
+                                            let _e1056 = local_1.member_3;
+                                            let _e1057 = bitcast<u32>(_e1056);
+                                            let _e1059 = ((_e1057 & 2139095040u) != 0u);
+                                            let _e1073 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1057 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1057 & 2147483648u))), _e1056, _e1059) * _e802) * select(0.00000011920929f, 1f, _e1059)) * _e808);
+                                            local.member_3 = select(340282350000000000000000000000000000000f, _e1073, (_e1073 < 340282350000000000000000000000000000000f));
                                         }
                                     }
-                                    let _e731 = local;
-                                    let _e762 = type_53(array<f32, 3>(_e731.member[0], _e731.member[1], _e731.member[2]), _e731.member_1, array<f32, 3>(_e731.member_2[0], _e731.member_2[1], _e731.member_2[2]), _e731.member_3, array<f32, 3>(_e731.member_4[0], _e731.member_4[1], _e731.member_4[2]), _e731.member_5, array<f32, 3>(_e731.member_6[0], _e731.member_6[1], _e731.member_6[2]), _e731.member_7, array<f32, 3>(_e731.member_8[0], _e731.member_8[1], _e731.member_8[2]), _e731.member_9);
-                                    if (_e731.member_5 != 0u) {
-                                        let _e766 = select(1u, _e552, (1u < _e552));
-                                        let _e767 = (_e766 == 0u);
-                                        if _e767 {
+                                    let _e1077 = local;
+                                    let _e1108 = type_53(array<f32, 3>(_e1077.member[0], _e1077.member[1], _e1077.member[2]), _e1077.member_1, array<f32, 3>(_e1077.member_2[0], _e1077.member_2[1], _e1077.member_2[2]), _e1077.member_3, array<f32, 3>(_e1077.member_4[0], _e1077.member_4[1], _e1077.member_4[2]), _e1077.member_5, array<f32, 3>(_e1077.member_6[0], _e1077.member_6[1], _e1077.member_6[2]), _e1077.member_7, array<f32, 3>(_e1077.member_8[0], _e1077.member_8[1], _e1077.member_8[2]), _e1077.member_9);
+                                    if (_e1077.member_5 != 0u) {
+                                        let _e1112 = select(1u, _e718, (1u < _e718));
+                                        let _e1113 = (_e1112 == 0u);
+                                        if _e1113 {
                                             break;
                                         }
-                                        let _e768 = (_e114.member_4 / _e766);
-                                        if _e767 {
+                                        let _e1114 = (_e118.member_4 / _e1112);
+                                        if _e1113 {
                                             break;
                                         }
-                                        let _e773 = ((_e768 ^ (_e768 >> bitcast<u32>(16i))) * 569420461u);
-                                        let _e777 = ((_e773 ^ (_e773 >> bitcast<u32>(15i))) * 3545902487u);
-                                        let _e781 = ((_e777 ^ (_e777 >> bitcast<u32>(15i))) + _e555);
-                                        let _e785 = ((_e781 ^ (_e781 >> bitcast<u32>(16i))) * 569420461u);
-                                        let _e789 = ((_e785 ^ (_e785 >> bitcast<u32>(15i))) * 3545902487u);
-                                        let _e793 = ((_e789 ^ (_e789 >> bitcast<u32>(15i))) + (_e731.member_7 + 1u));
-                                        let _e797 = ((_e793 ^ (_e793 >> bitcast<u32>(16i))) * 569420461u);
-                                        let _e801 = ((_e797 ^ (_e797 >> bitcast<u32>(15i))) * 3545902487u);
-                                        let _e804 = (_e801 ^ (_e801 >> bitcast<u32>(15i)));
-                                        let _e806 = (reverseBits((_e114.member_4 % _e766)) + _e804);
-                                        let _e808 = (_e806 ^ (_e806 * 1817228412u));
-                                        let _e810 = (_e808 ^ (_e808 * 3090095698u));
-                                        let _e812 = (_e810 ^ (_e810 * 3350193720u));
-                                        let _e815 = reverseBits((_e812 ^ (_e812 * 2367878886u)));
-                                        let _e817 = (_e804 ^ 1u);
-                                        let _e821 = ((_e817 ^ (_e817 >> bitcast<u32>(16i))) * 569420461u);
-                                        let _e825 = ((_e821 ^ (_e821 >> bitcast<u32>(15i))) * 3545902487u);
-                                        let _e830 = (reverseBits(reverseBits(_e815)) + (_e825 ^ (_e825 >> bitcast<u32>(15i))));
-                                        let _e832 = (_e830 ^ (_e830 * 1817228412u));
-                                        let _e834 = (_e832 ^ (_e832 * 3090095698u));
-                                        let _e836 = (_e834 ^ (_e834 * 3350193720u));
-                                        let _e839 = reverseBits((_e836 ^ (_e836 * 2367878886u)));
-                                        phi_1269_ = type_7(0u, 32u);
-                                        phi_1272_ = 2147483648u;
-                                        phi_1274_ = 0u;
+                                        let _e1119 = ((_e1114 ^ (_e1114 >> bitcast<u32>(16i))) * 569420461u);
+                                        let _e1123 = ((_e1119 ^ (_e1119 >> bitcast<u32>(15i))) * 3545902487u);
+                                        let _e1127 = ((_e1123 ^ (_e1123 >> bitcast<u32>(15i))) + _e721);
+                                        let _e1131 = ((_e1127 ^ (_e1127 >> bitcast<u32>(16i))) * 569420461u);
+                                        let _e1135 = ((_e1131 ^ (_e1131 >> bitcast<u32>(15i))) * 3545902487u);
+                                        let _e1139 = ((_e1135 ^ (_e1135 >> bitcast<u32>(15i))) + (_e1077.member_7 + 1u));
+                                        let _e1143 = ((_e1139 ^ (_e1139 >> bitcast<u32>(16i))) * 569420461u);
+                                        let _e1147 = ((_e1143 ^ (_e1143 >> bitcast<u32>(15i))) * 3545902487u);
+                                        let _e1150 = (_e1147 ^ (_e1147 >> bitcast<u32>(15i)));
+                                        let _e1152 = (reverseBits((_e118.member_4 % _e1112)) + _e1150);
+                                        let _e1154 = (_e1152 ^ (_e1152 * 1817228412u));
+                                        let _e1156 = (_e1154 ^ (_e1154 * 3090095698u));
+                                        let _e1158 = (_e1156 ^ (_e1156 * 3350193720u));
+                                        let _e1161 = reverseBits((_e1158 ^ (_e1158 * 2367878886u)));
+                                        let _e1163 = (_e1150 ^ 1u);
+                                        let _e1167 = ((_e1163 ^ (_e1163 >> bitcast<u32>(16i))) * 569420461u);
+                                        let _e1171 = ((_e1167 ^ (_e1167 >> bitcast<u32>(15i))) * 3545902487u);
+                                        let _e1176 = (reverseBits(reverseBits(_e1161)) + (_e1171 ^ (_e1171 >> bitcast<u32>(15i))));
+                                        let _e1178 = (_e1176 ^ (_e1176 * 1817228412u));
+                                        let _e1180 = (_e1178 ^ (_e1178 * 3090095698u));
+                                        let _e1182 = (_e1180 ^ (_e1180 * 3350193720u));
+                                        let _e1185 = reverseBits((_e1182 ^ (_e1182 * 2367878886u)));
+                                        phi_1910_ = type_7(0u, 32u);
+                                        phi_1913_ = 2147483648u;
+                                        phi_1915_ = 0u;
                                         loop {
-                                            let _e841 = phi_1269_;
-                                            let _e843 = phi_1272_;
-                                            let _e845 = phi_1274_;
-                                            local_2 = _e845;
-                                            if (_e841.member < _e841.member_1) {
-                                                phi_1270_ = type_7((_e841.member + 1u), _e841.member_1);
-                                                phi_1297_ = type_7(1u, _e841.member);
+                                            let _e1187 = phi_1910_;
+                                            let _e1189 = phi_1913_;
+                                            let _e1191 = phi_1915_;
+                                            local_2 = _e1191;
+                                            if (_e1187.member < _e1187.member_1) {
+                                                phi_1911_ = type_7((_e1187.member + 1u), _e1187.member_1);
+                                                phi_1938_ = type_7(1u, _e1187.member);
                                             } else {
-                                                phi_1270_ = _e841;
-                                                phi_1297_ = type_7(0u, type_7().member_1);
+                                                phi_1911_ = _e1187;
+                                                phi_1938_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e858 = phi_1270_;
-                                            let _e860 = phi_1297_;
-                                            let _e864 = (bitcast<i32>(_e860.member) != 0i);
-                                            if _e864 {
-                                                if (((_e815 >> bitcast<u32>((_e860.member_1 & 31u))) & 1u) == 1u) {
-                                                    phi_1313_ = (_e845 ^ _e843);
+                                            let _e1204 = phi_1911_;
+                                            let _e1206 = phi_1938_;
+                                            let _e1210 = (bitcast<i32>(_e1206.member) != 0i);
+                                            if _e1210 {
+                                                if (((_e1161 >> bitcast<u32>((_e1206.member_1 & 31u))) & 1u) == 1u) {
+                                                    phi_1954_ = (_e1191 ^ _e1189);
                                                 } else {
-                                                    phi_1313_ = _e845;
+                                                    phi_1954_ = _e1191;
                                                 }
-                                                let _e872 = phi_1313_;
-                                                phi_1273_ = (_e843 ^ (_e843 >> bitcast<u32>(1i)));
-                                                phi_1275_ = _e872;
+                                                let _e1218 = phi_1954_;
+                                                phi_1914_ = (_e1189 ^ (_e1189 >> bitcast<u32>(1i)));
+                                                phi_1916_ = _e1218;
                                             } else {
-                                                phi_1273_ = u32();
-                                                phi_1275_ = u32();
+                                                phi_1914_ = u32();
+                                                phi_1916_ = u32();
                                             }
-                                            let _e877 = phi_1273_;
-                                            let _e879 = phi_1275_;
+                                            let _e1223 = phi_1914_;
+                                            let _e1225 = phi_1916_;
                                             continue;
                                             continuing {
-                                                phi_1269_ = _e858;
-                                                phi_1272_ = _e877;
-                                                phi_1274_ = _e879;
-                                                break if !(_e864);
+                                                phi_1910_ = _e1204;
+                                                phi_1913_ = _e1223;
+                                                phi_1915_ = _e1225;
+                                                break if !(_e1210);
                                             }
                                         }
-                                        let _e881 = (_e804 ^ 2u);
-                                        let _e885 = ((_e881 ^ (_e881 >> bitcast<u32>(16i))) * 569420461u);
-                                        let _e889 = ((_e885 ^ (_e885 >> bitcast<u32>(15i))) * 3545902487u);
-                                        let _e894 = local_2;
-                                        let _e896 = (reverseBits(_e894) + (_e889 ^ (_e889 >> bitcast<u32>(15i))));
-                                        let _e898 = (_e896 ^ (_e896 * 1817228412u));
-                                        let _e900 = (_e898 ^ (_e898 * 3090095698u));
-                                        let _e902 = (_e900 ^ (_e900 * 3350193720u));
-                                        let _e905 = reverseBits((_e902 ^ (_e902 * 2367878886u)));
-                                        if (_e731.member_5 == 1u) {
-                                            let _e928 = bitcast<i32>(((2u * (_e839 >> bitcast<u32>(16i))) + 1u));
-                                            let _e929 = (_e928 - 65536i);
-                                            let _e934 = bitcast<i32>(((2u * (_e905 >> bitcast<u32>(16i))) + 1u));
-                                            let _e935 = (_e934 - 65536i);
-                                            let _e936 = (_e929 < 0i);
-                                            if _e936 {
-                                                phi_1348_ = (65536i - _e928);
+                                        let _e1227 = (_e1150 ^ 2u);
+                                        let _e1231 = ((_e1227 ^ (_e1227 >> bitcast<u32>(16i))) * 569420461u);
+                                        let _e1235 = ((_e1231 ^ (_e1231 >> bitcast<u32>(15i))) * 3545902487u);
+                                        let _e1240 = local_2;
+                                        let _e1242 = (reverseBits(_e1240) + (_e1235 ^ (_e1235 >> bitcast<u32>(15i))));
+                                        let _e1244 = (_e1242 ^ (_e1242 * 1817228412u));
+                                        let _e1246 = (_e1244 ^ (_e1244 * 3090095698u));
+                                        let _e1248 = (_e1246 ^ (_e1246 * 3350193720u));
+                                        let _e1251 = reverseBits((_e1248 ^ (_e1248 * 2367878886u)));
+                                        if (_e1077.member_5 == 1u) {
+                                            let _e1274 = bitcast<i32>(((2u * (_e1185 >> bitcast<u32>(16i))) + 1u));
+                                            let _e1275 = (_e1274 - 65536i);
+                                            let _e1280 = bitcast<i32>(((2u * (_e1251 >> bitcast<u32>(16i))) + 1u));
+                                            let _e1281 = (_e1280 - 65536i);
+                                            let _e1282 = (_e1275 < 0i);
+                                            if _e1282 {
+                                                phi_1989_ = (65536i - _e1274);
                                             } else {
-                                                phi_1348_ = _e929;
+                                                phi_1989_ = _e1275;
                                             }
-                                            let _e939 = phi_1348_;
-                                            let _e940 = bitcast<u32>(_e939);
-                                            let _e941 = (_e935 < 0i);
-                                            if _e941 {
-                                                phi_1355_ = (65536i - _e934);
+                                            let _e1285 = phi_1989_;
+                                            let _e1286 = bitcast<u32>(_e1285);
+                                            let _e1287 = (_e1281 < 0i);
+                                            if _e1287 {
+                                                phi_1996_ = (65536i - _e1280);
                                             } else {
-                                                phi_1355_ = _e935;
+                                                phi_1996_ = _e1281;
                                             }
-                                            let _e944 = phi_1355_;
-                                            let _e945 = bitcast<u32>(_e944);
-                                            let _e946 = (_e940 > _e945);
-                                            let _e947 = select(_e945, _e940, _e946);
-                                            let _e952 = select(1u, _e947, (1u < _e947));
-                                            if (_e952 == 0u) {
+                                            let _e1290 = phi_1996_;
+                                            let _e1291 = bitcast<u32>(_e1290);
+                                            let _e1292 = (_e1286 > _e1291);
+                                            let _e1293 = select(_e1291, _e1286, _e1292);
+                                            let _e1298 = select(1u, _e1293, (1u < _e1293));
+                                            if (_e1298 == 0u) {
                                                 break;
                                             }
-                                            let _e956 = (((select(_e940, _e945, _e946) << bitcast<u32>(16i)) / _e952) << bitcast<u32>(15i));
-                                            let _e958 = (_e956 >> bitcast<u32>(16i));
-                                            let _e959 = (_e956 & 65535u);
-                                            let _e964 = ((_e958 * _e959) + ((_e959 * _e959) >> bitcast<u32>(16i)));
-                                            let _e976 = ((((_e958 * _e958) + (_e964 >> bitcast<u32>(16i))) + (((_e959 * _e958) + (_e964 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i));
-                                            let _e978 = (_e976 >> bitcast<u32>(16i));
-                                            let _e979 = (_e976 & 65535u);
-                                            let _e984 = ((_e978 * 7711u) + ((_e979 * 7711u) >> bitcast<u32>(16i)));
-                                            let _e993 = (700062u - (((_e984 >> bitcast<u32>(16i)) + ((_e984 & 65535u) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
-                                            let _e995 = (_e993 >> bitcast<u32>(16i));
-                                            let _e996 = (_e993 & 65535u);
-                                            let _e1001 = ((_e978 * _e996) + ((_e979 * _e996) >> bitcast<u32>(16i)));
-                                            let _e1014 = (34046945u - ((((_e978 * _e995) + (_e1001 >> bitcast<u32>(16i))) + (((_e979 * _e995) + (_e1001 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
-                                            let _e1016 = (_e1014 >> bitcast<u32>(16i));
-                                            let _e1017 = (_e1014 & 65535u);
-                                            let _e1022 = ((_e978 * _e1017) + ((_e979 * _e1017) >> bitcast<u32>(16i)));
-                                            let _e1035 = (662337939u - ((((_e978 * _e1016) + (_e1022 >> bitcast<u32>(16i))) + (((_e979 * _e1016) + (_e1022 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
-                                            let _e1040 = ((_e978 * 13011u) + ((_e979 * 13011u) >> bitcast<u32>(16i)));
-                                            let _e1051 = (5348082u - (((_e978 + (_e1040 >> bitcast<u32>(16i))) + ((_e979 + (_e1040 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
-                                            let _e1053 = (_e1051 >> bitcast<u32>(16i));
-                                            let _e1054 = (_e1051 & 65535u);
-                                            let _e1059 = ((_e978 * _e1054) + ((_e979 * _e1054) >> bitcast<u32>(16i)));
-                                            let _e1072 = (173399667u - ((((_e978 * _e1053) + (_e1059 >> bitcast<u32>(16i))) + (((_e979 * _e1053) + (_e1059 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
-                                            let _e1074 = (_e1072 >> bitcast<u32>(16i));
-                                            let _e1075 = (_e1072 & 65535u);
-                                            let _e1080 = ((_e978 * _e1075) + ((_e979 * _e1075) >> bitcast<u32>(16i)));
-                                            let _e1093 = (1686629713u - ((((_e978 * _e1074) + (_e1080 >> bitcast<u32>(16i))) + (((_e979 * _e1074) + (_e1080 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
-                                            let _e1095 = (_e1035 >> bitcast<u32>(16i));
-                                            let _e1096 = (_e1035 & 65535u);
-                                            let _e1101 = ((_e978 * _e1096) + ((_e979 * _e1096) >> bitcast<u32>(16i)));
-                                            let _e1114 = (2147483648u - ((((_e978 * _e1095) + (_e1101 >> bitcast<u32>(16i))) + (((_e979 * _e1095) + (_e1101 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
-                                            let _e1116 = (_e1093 >> bitcast<u32>(16i));
-                                            let _e1117 = (_e1093 & 65535u);
-                                            let _e1122 = ((_e958 * _e1117) + ((_e959 * _e1117) >> bitcast<u32>(16i)));
-                                            let _e1134 = ((((_e958 * _e1116) + (_e1122 >> bitcast<u32>(16i))) + (((_e959 * _e1116) + (_e1122 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i));
-                                            let _e1136 = (_e947 << bitcast<u32>(15i));
-                                            let _e1138 = (_e1136 >> bitcast<u32>(16i));
-                                            let _e1139 = (_e1136 & 65535u);
-                                            let _e1141 = (_e1114 >> bitcast<u32>(16i));
-                                            let _e1142 = (_e1114 & 65535u);
-                                            let _e1147 = ((_e1138 * _e1142) + ((_e1139 * _e1142) >> bitcast<u32>(16i)));
-                                            let _e1159 = ((((_e1138 * _e1141) + (_e1147 >> bitcast<u32>(16i))) + (((_e1139 * _e1141) + (_e1147 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i));
-                                            let _e1161 = (_e1134 >> bitcast<u32>(16i));
-                                            let _e1162 = (_e1134 & 65535u);
-                                            let _e1167 = ((_e1138 * _e1162) + ((_e1139 * _e1162) >> bitcast<u32>(16i)));
-                                            let _e1179 = ((((_e1138 * _e1161) + (_e1167 >> bitcast<u32>(16i))) + (((_e1139 * _e1161) + (_e1167 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i));
-                                            let _e1184 = f32((select(_e1179, _e1159, _e946) >> bitcast<u32>(7i)));
-                                            if _e936 {
-                                                phi_2651_ = (_e1184 * -0.000000059604645f);
+                                            let _e1302 = (((select(_e1286, _e1291, _e1292) << bitcast<u32>(16i)) / _e1298) << bitcast<u32>(15i));
+                                            let _e1304 = (_e1302 >> bitcast<u32>(16i));
+                                            let _e1305 = (_e1302 & 65535u);
+                                            let _e1310 = ((_e1304 * _e1305) + ((_e1305 * _e1305) >> bitcast<u32>(16i)));
+                                            let _e1322 = ((((_e1304 * _e1304) + (_e1310 >> bitcast<u32>(16i))) + (((_e1305 * _e1304) + (_e1310 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i));
+                                            let _e1324 = (_e1322 >> bitcast<u32>(16i));
+                                            let _e1325 = (_e1322 & 65535u);
+                                            let _e1330 = ((_e1324 * 7711u) + ((_e1325 * 7711u) >> bitcast<u32>(16i)));
+                                            let _e1339 = (700062u - (((_e1330 >> bitcast<u32>(16i)) + ((_e1330 & 65535u) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
+                                            let _e1341 = (_e1339 >> bitcast<u32>(16i));
+                                            let _e1342 = (_e1339 & 65535u);
+                                            let _e1347 = ((_e1324 * _e1342) + ((_e1325 * _e1342) >> bitcast<u32>(16i)));
+                                            let _e1360 = (34046945u - ((((_e1324 * _e1341) + (_e1347 >> bitcast<u32>(16i))) + (((_e1325 * _e1341) + (_e1347 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
+                                            let _e1362 = (_e1360 >> bitcast<u32>(16i));
+                                            let _e1363 = (_e1360 & 65535u);
+                                            let _e1368 = ((_e1324 * _e1363) + ((_e1325 * _e1363) >> bitcast<u32>(16i)));
+                                            let _e1381 = (662337939u - ((((_e1324 * _e1362) + (_e1368 >> bitcast<u32>(16i))) + (((_e1325 * _e1362) + (_e1368 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
+                                            let _e1386 = ((_e1324 * 13011u) + ((_e1325 * 13011u) >> bitcast<u32>(16i)));
+                                            let _e1397 = (5348082u - (((_e1324 + (_e1386 >> bitcast<u32>(16i))) + ((_e1325 + (_e1386 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
+                                            let _e1399 = (_e1397 >> bitcast<u32>(16i));
+                                            let _e1400 = (_e1397 & 65535u);
+                                            let _e1405 = ((_e1324 * _e1400) + ((_e1325 * _e1400) >> bitcast<u32>(16i)));
+                                            let _e1418 = (173399667u - ((((_e1324 * _e1399) + (_e1405 >> bitcast<u32>(16i))) + (((_e1325 * _e1399) + (_e1405 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
+                                            let _e1420 = (_e1418 >> bitcast<u32>(16i));
+                                            let _e1421 = (_e1418 & 65535u);
+                                            let _e1426 = ((_e1324 * _e1421) + ((_e1325 * _e1421) >> bitcast<u32>(16i)));
+                                            let _e1439 = (1686629713u - ((((_e1324 * _e1420) + (_e1426 >> bitcast<u32>(16i))) + (((_e1325 * _e1420) + (_e1426 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
+                                            let _e1441 = (_e1381 >> bitcast<u32>(16i));
+                                            let _e1442 = (_e1381 & 65535u);
+                                            let _e1447 = ((_e1324 * _e1442) + ((_e1325 * _e1442) >> bitcast<u32>(16i)));
+                                            let _e1460 = (2147483648u - ((((_e1324 * _e1441) + (_e1447 >> bitcast<u32>(16i))) + (((_e1325 * _e1441) + (_e1447 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i)));
+                                            let _e1462 = (_e1439 >> bitcast<u32>(16i));
+                                            let _e1463 = (_e1439 & 65535u);
+                                            let _e1468 = ((_e1304 * _e1463) + ((_e1305 * _e1463) >> bitcast<u32>(16i)));
+                                            let _e1480 = ((((_e1304 * _e1462) + (_e1468 >> bitcast<u32>(16i))) + (((_e1305 * _e1462) + (_e1468 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i));
+                                            let _e1482 = (_e1293 << bitcast<u32>(15i));
+                                            let _e1484 = (_e1482 >> bitcast<u32>(16i));
+                                            let _e1485 = (_e1482 & 65535u);
+                                            let _e1487 = (_e1460 >> bitcast<u32>(16i));
+                                            let _e1488 = (_e1460 & 65535u);
+                                            let _e1493 = ((_e1484 * _e1488) + ((_e1485 * _e1488) >> bitcast<u32>(16i)));
+                                            let _e1505 = ((((_e1484 * _e1487) + (_e1493 >> bitcast<u32>(16i))) + (((_e1485 * _e1487) + (_e1493 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i));
+                                            let _e1507 = (_e1480 >> bitcast<u32>(16i));
+                                            let _e1508 = (_e1480 & 65535u);
+                                            let _e1513 = ((_e1484 * _e1508) + ((_e1485 * _e1508) >> bitcast<u32>(16i)));
+                                            let _e1525 = ((((_e1484 * _e1507) + (_e1513 >> bitcast<u32>(16i))) + (((_e1485 * _e1507) + (_e1513 & 65535u)) >> bitcast<u32>(16i))) << bitcast<u32>(1i));
+                                            let _e1530 = f32((select(_e1525, _e1505, _e1292) >> bitcast<u32>(7i)));
+                                            if _e1282 {
+                                                phi_3292_ = (_e1530 * -0.000000059604645f);
                                             } else {
-                                                phi_2651_ = (_e1184 * 0.000000059604645f);
+                                                phi_3292_ = (_e1530 * 0.000000059604645f);
                                             }
-                                            let _e1188 = phi_2651_;
-                                            let _e1191 = f32((select(_e1159, _e1179, _e946) >> bitcast<u32>(7i)));
-                                            if _e941 {
-                                                phi_2664_ = (_e1191 * -0.000000059604645f);
+                                            let _e1534 = phi_3292_;
+                                            let _e1537 = f32((select(_e1505, _e1525, _e1292) >> bitcast<u32>(7i)));
+                                            if _e1287 {
+                                                phi_3305_ = (_e1537 * -0.000000059604645f);
                                             } else {
-                                                phi_2664_ = (_e1191 * 0.000000059604645f);
+                                                phi_3305_ = (_e1537 * 0.000000059604645f);
                                             }
-                                            let _e1195 = phi_2664_;
-                                            phi_1590_ = array<f32, 2>(_e1188, _e1195);
+                                            let _e1541 = phi_3305_;
+                                            phi_2231_ = array<f32, 2>(_e1534, _e1541);
                                         } else {
-                                            phi_1590_ = array<f32, 2>((f32((bitcast<i32>(((2u * (_e839 >> bitcast<u32>(9i))) + 1u)) - 8388608i)) * 0.00000011920929f), (f32((bitcast<i32>(((2u * (_e905 >> bitcast<u32>(9i))) + 1u)) - 8388608i)) * 0.00000011920929f));
+                                            phi_2231_ = array<f32, 2>((f32((bitcast<i32>(((2u * (_e1185 >> bitcast<u32>(9i))) + 1u)) - 8388608i)) * 0.00000011920929f), (f32((bitcast<i32>(((2u * (_e1251 >> bitcast<u32>(9i))) + 1u)) - 8388608i)) * 0.00000011920929f));
                                         }
-                                        let _e1198 = phi_1590_;
-                                        phi_1619_ = type_53(array<f32, 3>((_e731.member[0] + ((_e731.member_4[0] * _e1198[0]) + (_e731.member_6[0] * _e1198[1]))), (_e731.member[1] + ((_e731.member_4[1] * _e1198[0]) + (_e731.member_6[1] * _e1198[1]))), (_e731.member[2] + ((_e731.member_4[2] * _e1198[0]) + (_e731.member_6[2] * _e1198[1])))), _e762.member_1, _e762.member_2, _e762.member_3, _e762.member_4, _e762.member_5, _e762.member_6, _e762.member_7, _e762.member_8, _e762.member_9);
+                                        let _e1544 = phi_2231_;
+                                        phi_2260_ = type_53(array<f32, 3>((_e1077.member[0] + ((_e1077.member_4[0] * _e1544[0]) + (_e1077.member_6[0] * _e1544[1]))), (_e1077.member[1] + ((_e1077.member_4[1] * _e1544[0]) + (_e1077.member_6[1] * _e1544[1]))), (_e1077.member[2] + ((_e1077.member_4[2] * _e1544[0]) + (_e1077.member_6[2] * _e1544[1])))), _e1108.member_1, _e1108.member_2, _e1108.member_3, _e1108.member_4, _e1108.member_5, _e1108.member_6, _e1108.member_7, _e1108.member_8, _e1108.member_9);
                                     } else {
-                                        phi_1619_ = _e762;
+                                        phi_2260_ = _e1108;
                                     }
-                                    let _e1226 = phi_1619_;
-                                    let _e1235 = global_3.member[2u];
-                                    if (_e1235 == 1u) {
-                                        let _e1590 = (_e1226.member_1 == 1u);
-                                        if _e1590 {
-                                            phi_3615_ = (vec3<f32>(_e1226.member[0], _e1226.member[1], _e1226.member[2]) - _e214);
+                                    let _e1572 = phi_2260_;
+                                    let _e1581 = global_3.member[2u];
+                                    if (_e1581 == 1u) {
+                                        let _e1936 = (_e1572.member_1 == 1u);
+                                        if _e1936 {
+                                            phi_4256_ = (vec3<f32>(_e1572.member[0], _e1572.member[1], _e1572.member[2]) - _e380);
                                         } else {
-                                            phi_3615_ = vec3<f32>(_e1226.member[0], _e1226.member[1], _e1226.member[2]);
+                                            phi_4256_ = vec3<f32>(_e1572.member[0], _e1572.member[1], _e1572.member[2]);
                                         }
-                                        let _e1601 = phi_3615_;
-                                        let _e1603 = bitcast<f32>(bitcast<u32>(_e330));
-                                        let _e1606 = bitcast<f32>(bitcast<u32>((_e319 * _e321)));
-                                        let _e1608 = bitcast<f32>(bitcast<u32>(_e324));
-                                        let _e1611 = bitcast<f32>(bitcast<u32>((_e320 * _e322)));
-                                        let _e1613 = bitcast<f32>(bitcast<u32>(_e327));
-                                        let _e1616 = bitcast<f32>(bitcast<u32>((_e318 * _e323)));
-                                        let _e1680 = global_12[0u];
-                                        if (_e1226.member_2[0] == _e1680) {
-                                            let _e1683 = global_12[1u];
-                                            let _e1684 = (_e1226.member_2[1] == _e1683);
-                                            if _e1684 {
-                                                let _e1686 = global_12[2u];
-                                                phi_3821_ = (_e1226.member_2[2] == _e1686);
+                                        let _e1947 = phi_4256_;
+                                        let _e1949 = bitcast<f32>(bitcast<u32>(_e496));
+                                        let _e1952 = bitcast<f32>(bitcast<u32>((_e485 * _e487)));
+                                        let _e1954 = bitcast<f32>(bitcast<u32>(_e490));
+                                        let _e1957 = bitcast<f32>(bitcast<u32>((_e486 * _e488)));
+                                        let _e1959 = bitcast<f32>(bitcast<u32>(_e493));
+                                        let _e1962 = bitcast<f32>(bitcast<u32>((_e484 * _e489)));
+                                        let _e2026 = global_12[0u];
+                                        if (_e1572.member_2[0] == _e2026) {
+                                            let _e2029 = global_12[1u];
+                                            let _e2030 = (_e1572.member_2[1] == _e2029);
+                                            if _e2030 {
+                                                let _e2032 = global_12[2u];
+                                                phi_4462_ = (_e1572.member_2[2] == _e2032);
                                             } else {
-                                                phi_3821_ = bool();
+                                                phi_4462_ = bool();
                                             }
-                                            let _e1689 = phi_3821_;
-                                            phi_3824_ = _e1689;
-                                            phi_3825_ = select(true, false, _e1684);
+                                            let _e2035 = phi_4462_;
+                                            phi_4465_ = _e2035;
+                                            phi_4466_ = select(true, false, _e2030);
                                         } else {
-                                            phi_3824_ = bool();
-                                            phi_3825_ = true;
+                                            phi_4465_ = bool();
+                                            phi_4466_ = true;
                                         }
-                                        let _e1692 = phi_3824_;
-                                        let _e1694 = phi_3825_;
-                                        if select(_e1692, false, _e1694) {
-                                            phi_4195_ = type_49();
-                                            phi_4196_ = true;
+                                        let _e2038 = phi_4465_;
+                                        let _e2040 = phi_4466_;
+                                        if select(_e2038, false, _e2040) {
+                                            phi_4836_ = type_49();
+                                            phi_4837_ = true;
                                         } else {
-                                            let _e1697 = ((((bitcast<f32>(bitcast<u32>((_e1601.x * (_e1608 - _e1611)))) + bitcast<f32>(bitcast<u32>((_e1601.y * (_e1613 - _e1616))))) + bitcast<f32>(bitcast<u32>((_e1601.z * (_e1603 - _e1606))))) * _e416) > (bitcast<f32>(bitcast<u32>((0.0000009536752f * ((bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1601.x) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1608) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1611) & 2147483647u)))))) + bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1601.y) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1613) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1616) & 2147483647u))))))) + bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1601.z) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1603) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1606) & 2147483647u)))))))))) + 0.0000000000000000000000000000000000001880791f));
-                                            if _e1697 {
-                                                let _e1699 = select(_e316, _e315, (_e315 > _e316));
-                                                let _e1716 = (select(_e317, _e1699, (_e1699 > _e317)) * ((bitcast<f32>((bitcast<u32>(_e420.x) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e420.y) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e420.z) & 2147483647u))));
-                                                let _e1720 = (_e279 + (_e420.x * _e1716));
-                                                let _e1721 = (_e280 + (_e420.y * _e1716));
-                                                let _e1722 = (_e281 + (_e420.z * _e1716));
-                                                if (_e420.x > 0f) {
-                                                    let _e1743 = bitcast<u32>(_e1720);
-                                                    if ((_e1743 & 2147483647u) == 0u) {
-                                                        phi_3936_ = 0.000000000000000000000000000000000000000000001f;
+                                            let _e2043 = ((((bitcast<f32>(bitcast<u32>((_e1947.x * (_e1954 - _e1957)))) + bitcast<f32>(bitcast<u32>((_e1947.y * (_e1959 - _e1962))))) + bitcast<f32>(bitcast<u32>((_e1947.z * (_e1949 - _e1952))))) * _e582) > (bitcast<f32>(bitcast<u32>((0.0000009536752f * ((bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1947.x) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1954) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1957) & 2147483647u)))))) + bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1947.y) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1959) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1962) & 2147483647u))))))) + bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1947.z) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1949) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u)))))))))) + 0.0000000000000000000000000000000000001880791f));
+                                            if _e2043 {
+                                                let _e2045 = select(_e482, _e481, (_e481 > _e482));
+                                                let _e2062 = (select(_e483, _e2045, (_e2045 > _e483)) * ((bitcast<f32>((bitcast<u32>(_e586.x) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e586.y) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e586.z) & 2147483647u))));
+                                                let _e2066 = (_e445 + (_e586.x * _e2062));
+                                                let _e2067 = (_e446 + (_e586.y * _e2062));
+                                                let _e2068 = (_e447 + (_e586.z * _e2062));
+                                                if (_e586.x > 0f) {
+                                                    let _e2089 = bitcast<u32>(_e2066);
+                                                    if ((_e2089 & 2147483647u) == 0u) {
+                                                        phi_4577_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e1743 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_3932_ = bitcast<f32>((_e1743 + 1u));
+                                                        if ((_e2089 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_4573_ = bitcast<f32>((_e2089 + 1u));
                                                         } else {
-                                                            phi_3932_ = bitcast<f32>((_e1743 - 1u));
+                                                            phi_4573_ = bitcast<f32>((_e2089 - 1u));
                                                         }
-                                                        let _e1754 = phi_3932_;
-                                                        phi_3936_ = _e1754;
+                                                        let _e2100 = phi_4573_;
+                                                        phi_4577_ = _e2100;
                                                     }
-                                                    let _e1756 = phi_3936_;
-                                                    phi_3938_ = _e1756;
+                                                    let _e2102 = phi_4577_;
+                                                    phi_4579_ = _e2102;
                                                 } else {
-                                                    if (_e420.x < 0f) {
-                                                        let _e1726 = bitcast<u32>(-(_e1720));
-                                                        if ((_e1726 & 2147483647u) == 0u) {
-                                                            phi_3914_ = 0.000000000000000000000000000000000000000000001f;
+                                                    if (_e586.x < 0f) {
+                                                        let _e2072 = bitcast<u32>(-(_e2066));
+                                                        if ((_e2072 & 2147483647u) == 0u) {
+                                                            phi_4555_ = 0.000000000000000000000000000000000000000000001f;
                                                         } else {
-                                                            if ((_e1726 >> bitcast<u32>(31i)) == 0u) {
-                                                                phi_3910_ = bitcast<f32>((_e1726 + 1u));
+                                                            if ((_e2072 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_4551_ = bitcast<f32>((_e2072 + 1u));
                                                             } else {
-                                                                phi_3910_ = bitcast<f32>((_e1726 - 1u));
+                                                                phi_4551_ = bitcast<f32>((_e2072 - 1u));
                                                             }
-                                                            let _e1737 = phi_3910_;
-                                                            phi_3914_ = _e1737;
+                                                            let _e2083 = phi_4551_;
+                                                            phi_4555_ = _e2083;
                                                         }
-                                                        let _e1739 = phi_3914_;
-                                                        phi_3917_ = -(_e1739);
+                                                        let _e2085 = phi_4555_;
+                                                        phi_4558_ = -(_e2085);
                                                     } else {
-                                                        phi_3917_ = _e1720;
+                                                        phi_4558_ = _e2066;
                                                     }
-                                                    let _e1742 = phi_3917_;
-                                                    phi_3938_ = _e1742;
+                                                    let _e2088 = phi_4558_;
+                                                    phi_4579_ = _e2088;
                                                 }
-                                                let _e1758 = phi_3938_;
-                                                if (_e420.y > 0f) {
-                                                    let _e1779 = bitcast<u32>(_e1721);
-                                                    if ((_e1779 & 2147483647u) == 0u) {
-                                                        phi_3985_ = 0.000000000000000000000000000000000000000000001f;
+                                                let _e2104 = phi_4579_;
+                                                if (_e586.y > 0f) {
+                                                    let _e2125 = bitcast<u32>(_e2067);
+                                                    if ((_e2125 & 2147483647u) == 0u) {
+                                                        phi_4626_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e1779 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_3981_ = bitcast<f32>((_e1779 + 1u));
+                                                        if ((_e2125 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_4622_ = bitcast<f32>((_e2125 + 1u));
                                                         } else {
-                                                            phi_3981_ = bitcast<f32>((_e1779 - 1u));
+                                                            phi_4622_ = bitcast<f32>((_e2125 - 1u));
                                                         }
-                                                        let _e1790 = phi_3981_;
-                                                        phi_3985_ = _e1790;
+                                                        let _e2136 = phi_4622_;
+                                                        phi_4626_ = _e2136;
                                                     }
-                                                    let _e1792 = phi_3985_;
-                                                    phi_3987_ = _e1792;
+                                                    let _e2138 = phi_4626_;
+                                                    phi_4628_ = _e2138;
                                                 } else {
-                                                    if (_e420.y < 0f) {
-                                                        let _e1762 = bitcast<u32>(-(_e1721));
-                                                        if ((_e1762 & 2147483647u) == 0u) {
-                                                            phi_3963_ = 0.000000000000000000000000000000000000000000001f;
+                                                    if (_e586.y < 0f) {
+                                                        let _e2108 = bitcast<u32>(-(_e2067));
+                                                        if ((_e2108 & 2147483647u) == 0u) {
+                                                            phi_4604_ = 0.000000000000000000000000000000000000000000001f;
                                                         } else {
-                                                            if ((_e1762 >> bitcast<u32>(31i)) == 0u) {
-                                                                phi_3959_ = bitcast<f32>((_e1762 + 1u));
+                                                            if ((_e2108 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_4600_ = bitcast<f32>((_e2108 + 1u));
                                                             } else {
-                                                                phi_3959_ = bitcast<f32>((_e1762 - 1u));
+                                                                phi_4600_ = bitcast<f32>((_e2108 - 1u));
                                                             }
-                                                            let _e1773 = phi_3959_;
-                                                            phi_3963_ = _e1773;
+                                                            let _e2119 = phi_4600_;
+                                                            phi_4604_ = _e2119;
                                                         }
-                                                        let _e1775 = phi_3963_;
-                                                        phi_3966_ = -(_e1775);
+                                                        let _e2121 = phi_4604_;
+                                                        phi_4607_ = -(_e2121);
                                                     } else {
-                                                        phi_3966_ = _e1721;
+                                                        phi_4607_ = _e2067;
                                                     }
-                                                    let _e1778 = phi_3966_;
-                                                    phi_3987_ = _e1778;
+                                                    let _e2124 = phi_4607_;
+                                                    phi_4628_ = _e2124;
                                                 }
-                                                let _e1794 = phi_3987_;
-                                                if (_e420.z > 0f) {
-                                                    let _e1815 = bitcast<u32>(_e1722);
-                                                    if ((_e1815 & 2147483647u) == 0u) {
-                                                        phi_4034_ = 0.000000000000000000000000000000000000000000001f;
+                                                let _e2140 = phi_4628_;
+                                                if (_e586.z > 0f) {
+                                                    let _e2161 = bitcast<u32>(_e2068);
+                                                    if ((_e2161 & 2147483647u) == 0u) {
+                                                        phi_4675_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e1815 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_4030_ = bitcast<f32>((_e1815 + 1u));
+                                                        if ((_e2161 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_4671_ = bitcast<f32>((_e2161 + 1u));
                                                         } else {
-                                                            phi_4030_ = bitcast<f32>((_e1815 - 1u));
+                                                            phi_4671_ = bitcast<f32>((_e2161 - 1u));
                                                         }
-                                                        let _e1826 = phi_4030_;
-                                                        phi_4034_ = _e1826;
+                                                        let _e2172 = phi_4671_;
+                                                        phi_4675_ = _e2172;
                                                     }
-                                                    let _e1828 = phi_4034_;
-                                                    phi_4036_ = _e1828;
+                                                    let _e2174 = phi_4675_;
+                                                    phi_4677_ = _e2174;
                                                 } else {
-                                                    if (_e420.z < 0f) {
-                                                        let _e1798 = bitcast<u32>(-(_e1722));
-                                                        if ((_e1798 & 2147483647u) == 0u) {
-                                                            phi_4012_ = 0.000000000000000000000000000000000000000000001f;
+                                                    if (_e586.z < 0f) {
+                                                        let _e2144 = bitcast<u32>(-(_e2068));
+                                                        if ((_e2144 & 2147483647u) == 0u) {
+                                                            phi_4653_ = 0.000000000000000000000000000000000000000000001f;
                                                         } else {
-                                                            if ((_e1798 >> bitcast<u32>(31i)) == 0u) {
-                                                                phi_4008_ = bitcast<f32>((_e1798 + 1u));
+                                                            if ((_e2144 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_4649_ = bitcast<f32>((_e2144 + 1u));
                                                             } else {
-                                                                phi_4008_ = bitcast<f32>((_e1798 - 1u));
+                                                                phi_4649_ = bitcast<f32>((_e2144 - 1u));
                                                             }
-                                                            let _e1809 = phi_4008_;
-                                                            phi_4012_ = _e1809;
+                                                            let _e2155 = phi_4649_;
+                                                            phi_4653_ = _e2155;
                                                         }
-                                                        let _e1811 = phi_4012_;
-                                                        phi_4015_ = -(_e1811);
+                                                        let _e2157 = phi_4653_;
+                                                        phi_4656_ = -(_e2157);
                                                     } else {
-                                                        phi_4015_ = _e1722;
+                                                        phi_4656_ = _e2068;
                                                     }
-                                                    let _e1814 = phi_4015_;
-                                                    phi_4036_ = _e1814;
+                                                    let _e2160 = phi_4656_;
+                                                    phi_4677_ = _e2160;
                                                 }
-                                                let _e1830 = phi_4036_;
-                                                if _e1590 {
-                                                    phi_4057_ = vec3<f32>((_e1226.member[0] - _e1758), (_e1226.member[1] - _e1794), (_e1226.member[2] - _e1830));
+                                                let _e2176 = phi_4677_;
+                                                if _e1936 {
+                                                    phi_4698_ = vec3<f32>((_e1572.member[0] - _e2104), (_e1572.member[1] - _e2140), (_e1572.member[2] - _e2176));
                                                 } else {
-                                                    phi_4057_ = vec3<f32>(_e1226.member[0], _e1226.member[1], _e1226.member[2]);
+                                                    phi_4698_ = vec3<f32>(_e1572.member[0], _e1572.member[1], _e1572.member[2]);
                                                 }
-                                                let _e1840 = phi_4057_;
-                                                let _e1853 = sqrt((((_e1840.x * _e1840.x) + (_e1840.y * _e1840.y)) + (_e1840.z * _e1840.z)));
-                                                let _e1862 = ((((_e533.x * _e1840.x) + (_e533.y * _e1840.y)) + (_e533.z * _e1840.z)) / _e1853);
-                                                if _e1590 {
-                                                    phi_4091_ = (_e1853 <= _e1226.member_3);
+                                                let _e2186 = phi_4698_;
+                                                let _e2199 = sqrt((((_e2186.x * _e2186.x) + (_e2186.y * _e2186.y)) + (_e2186.z * _e2186.z)));
+                                                let _e2208 = ((((_e699.x * _e2186.x) + (_e699.y * _e2186.y)) + (_e699.z * _e2186.z)) / _e2199);
+                                                if _e1936 {
+                                                    phi_4732_ = (_e2199 <= _e1572.member_3);
                                                 } else {
-                                                    phi_4091_ = true;
+                                                    phi_4732_ = true;
                                                 }
-                                                let _e1865 = phi_4091_;
-                                                if _e1590 {
-                                                    phi_4097_ = (1f / (_e1853 * _e1853));
+                                                let _e2211 = phi_4732_;
+                                                if _e1936 {
+                                                    phi_4738_ = (1f / (_e2199 * _e2199));
                                                 } else {
-                                                    phi_4097_ = 1f;
+                                                    phi_4738_ = 1f;
                                                 }
-                                                let _e1869 = phi_4097_;
-                                                let _e1870 = -(_e1840.x);
-                                                let _e1871 = -(_e1840.y);
-                                                let _e1872 = -(_e1840.z);
-                                                if (_e1226.member_5 == 0u) {
-                                                    phi_4133_ = 1f;
+                                                let _e2215 = phi_4738_;
+                                                let _e2216 = -(_e2186.x);
+                                                let _e2217 = -(_e2186.y);
+                                                let _e2218 = -(_e2186.z);
+                                                if (_e1572.member_5 == 0u) {
+                                                    phi_4774_ = 1f;
                                                 } else {
-                                                    let _e1888 = ((((_e1226.member_8[0] * _e1870) + (_e1226.member_8[1] * _e1871)) + (_e1226.member_8[2] * _e1872)) / sqrt((((_e1870 * _e1870) + (_e1871 * _e1871)) + (_e1872 * _e1872))));
-                                                    phi_4133_ = select(0f, _e1888, (_e1888 > 0f));
+                                                    let _e2234 = ((((_e1572.member_8[0] * _e2216) + (_e1572.member_8[1] * _e2217)) + (_e1572.member_8[2] * _e2218)) / sqrt((((_e2216 * _e2216) + (_e2217 * _e2217)) + (_e2218 * _e2218))));
+                                                    phi_4774_ = select(0f, _e2234, (_e2234 > 0f));
                                                 }
-                                                let _e1892 = phi_4133_;
-                                                if (_e1862 > 0f) {
-                                                    if _e1865 {
-                                                        let _e1894 = (_e1892 > 0f);
-                                                        if _e1894 {
-                                                            let _e1901 = ((1f - select(_e545.member_1, _e545.member_2, (_e545.member_2 > 0f))) * 0.31830987f);
-                                                            let _e1909 = ((_e1862 * _e1869) * _e1892);
-                                                            phi_4178_ = type_49(type_35(array<f32, 3>(_e1758, _e1794, _e1830), 0f, array<f32, 3>(_e1840.x, _e1840.y, _e1840.z), select(340282350000000000000000000000000000000f, 1f, _e1590)), array<f32, 3>(((_e1226.member_2[0] * (_e545.member[0] * _e1901)) * _e1909), ((_e1226.member_2[1] * (_e545.member[1] * _e1901)) * _e1909), ((_e1226.member_2[2] * (_e545.member[2] * _e1901)) * _e1909)), _e117.member_3);
+                                                let _e2238 = phi_4774_;
+                                                if (_e2208 > 0f) {
+                                                    if _e2211 {
+                                                        let _e2240 = (_e2238 > 0f);
+                                                        if _e2240 {
+                                                            let _e2247 = ((1f - select(_e711.member_1, _e711.member_2, (_e711.member_2 > 0f))) * 0.31830987f);
+                                                            let _e2255 = ((_e2208 * _e2215) * _e2238);
+                                                            phi_4819_ = type_49(type_35(array<f32, 3>(_e2104, _e2140, _e2176), 0f, array<f32, 3>(_e2186.x, _e2186.y, _e2186.z), select(340282350000000000000000000000000000000f, 1f, _e1936)), array<f32, 3>(((_e1572.member_2[0] * (_e711.member[0] * _e2247)) * _e2255), ((_e1572.member_2[1] * (_e711.member[1] * _e2247)) * _e2255), ((_e1572.member_2[2] * (_e711.member[2] * _e2247)) * _e2255)), _e121.member_3);
                                                         } else {
-                                                            phi_4178_ = type_49();
+                                                            phi_4819_ = type_49();
                                                         }
-                                                        let _e1916 = phi_4178_;
-                                                        phi_4181_ = _e1916;
-                                                        phi_4182_ = select(true, false, _e1894);
+                                                        let _e2262 = phi_4819_;
+                                                        phi_4822_ = _e2262;
+                                                        phi_4823_ = select(true, false, _e2240);
                                                     } else {
-                                                        phi_4181_ = type_49();
-                                                        phi_4182_ = true;
+                                                        phi_4822_ = type_49();
+                                                        phi_4823_ = true;
                                                     }
-                                                    let _e1919 = phi_4181_;
-                                                    let _e1921 = phi_4182_;
-                                                    phi_4184_ = _e1919;
-                                                    phi_4185_ = _e1921;
+                                                    let _e2265 = phi_4822_;
+                                                    let _e2267 = phi_4823_;
+                                                    phi_4825_ = _e2265;
+                                                    phi_4826_ = _e2267;
                                                 } else {
-                                                    phi_4184_ = type_49();
-                                                    phi_4185_ = true;
+                                                    phi_4825_ = type_49();
+                                                    phi_4826_ = true;
                                                 }
-                                                let _e1923 = phi_4184_;
-                                                let _e1925 = phi_4185_;
-                                                if _e1925 {
-                                                    phi_4189_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                                                let _e2269 = phi_4825_;
+                                                let _e2271 = phi_4826_;
+                                                if _e2271 {
+                                                    phi_4830_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                                                 } else {
-                                                    phi_4189_ = _e1923;
+                                                    phi_4830_ = _e2269;
                                                 }
-                                                let _e1927 = phi_4189_;
-                                                phi_4191_ = _e1927;
+                                                let _e2273 = phi_4830_;
+                                                phi_4832_ = _e2273;
                                             } else {
-                                                phi_4191_ = type_49();
+                                                phi_4832_ = type_49();
                                             }
-                                            let _e1929 = phi_4191_;
-                                            phi_4195_ = _e1929;
-                                            phi_4196_ = select(true, false, _e1697);
+                                            let _e2275 = phi_4832_;
+                                            phi_4836_ = _e2275;
+                                            phi_4837_ = select(true, false, _e2043);
                                         }
-                                        let _e1932 = phi_4195_;
-                                        let _e1934 = phi_4196_;
-                                        if _e1934 {
-                                            phi_4200_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                                        let _e2278 = phi_4836_;
+                                        let _e2280 = phi_4837_;
+                                        if _e2280 {
+                                            phi_4841_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                                         } else {
-                                            phi_4200_ = _e1932;
+                                            phi_4841_ = _e2278;
                                         }
-                                        let _e1936 = phi_4200_;
-                                        if (_e1936.member.member_1 <= _e1936.member.member_3) {
-                                            phi_3552_ = _e1936;
+                                        let _e2282 = phi_4841_;
+                                        if (_e2282.member.member_1 <= _e2282.member.member_3) {
+                                            phi_4193_ = _e2282;
                                         } else {
-                                            let _e1943 = select(_e316, _e315, (_e315 > _e316));
-                                            let _e1960 = (select(_e317, _e1943, (_e1943 > _e317)) * ((bitcast<f32>((bitcast<u32>(_e420.x) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e420.y) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e420.z) & 2147483647u))));
-                                            let _e1964 = (_e279 + (_e420.x * _e1960));
-                                            let _e1965 = (_e280 + (_e420.y * _e1960));
-                                            let _e1966 = (_e281 + (_e420.z * _e1960));
-                                            if (_e420.x > 0f) {
-                                                let _e1987 = bitcast<u32>(_e1964);
-                                                if ((_e1987 & 2147483647u) == 0u) {
-                                                    phi_3417_ = 0.000000000000000000000000000000000000000000001f;
+                                            let _e2289 = select(_e482, _e481, (_e481 > _e482));
+                                            let _e2306 = (select(_e483, _e2289, (_e2289 > _e483)) * ((bitcast<f32>((bitcast<u32>(_e586.x) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e586.y) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e586.z) & 2147483647u))));
+                                            let _e2310 = (_e445 + (_e586.x * _e2306));
+                                            let _e2311 = (_e446 + (_e586.y * _e2306));
+                                            let _e2312 = (_e447 + (_e586.z * _e2306));
+                                            if (_e586.x > 0f) {
+                                                let _e2333 = bitcast<u32>(_e2310);
+                                                if ((_e2333 & 2147483647u) == 0u) {
+                                                    phi_4058_ = 0.000000000000000000000000000000000000000000001f;
                                                 } else {
-                                                    if ((_e1987 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_3413_ = bitcast<f32>((_e1987 + 1u));
+                                                    if ((_e2333 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_4054_ = bitcast<f32>((_e2333 + 1u));
                                                     } else {
-                                                        phi_3413_ = bitcast<f32>((_e1987 - 1u));
+                                                        phi_4054_ = bitcast<f32>((_e2333 - 1u));
                                                     }
-                                                    let _e1998 = phi_3413_;
-                                                    phi_3417_ = _e1998;
+                                                    let _e2344 = phi_4054_;
+                                                    phi_4058_ = _e2344;
                                                 }
-                                                let _e2000 = phi_3417_;
-                                                phi_3419_ = _e2000;
+                                                let _e2346 = phi_4058_;
+                                                phi_4060_ = _e2346;
                                             } else {
-                                                if (_e420.x < 0f) {
-                                                    let _e1970 = bitcast<u32>(-(_e1964));
-                                                    if ((_e1970 & 2147483647u) == 0u) {
-                                                        phi_3395_ = 0.000000000000000000000000000000000000000000001f;
+                                                if (_e586.x < 0f) {
+                                                    let _e2316 = bitcast<u32>(-(_e2310));
+                                                    if ((_e2316 & 2147483647u) == 0u) {
+                                                        phi_4036_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e1970 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_3391_ = bitcast<f32>((_e1970 + 1u));
+                                                        if ((_e2316 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_4032_ = bitcast<f32>((_e2316 + 1u));
                                                         } else {
-                                                            phi_3391_ = bitcast<f32>((_e1970 - 1u));
+                                                            phi_4032_ = bitcast<f32>((_e2316 - 1u));
                                                         }
-                                                        let _e1981 = phi_3391_;
-                                                        phi_3395_ = _e1981;
+                                                        let _e2327 = phi_4032_;
+                                                        phi_4036_ = _e2327;
                                                     }
-                                                    let _e1983 = phi_3395_;
-                                                    phi_3398_ = -(_e1983);
+                                                    let _e2329 = phi_4036_;
+                                                    phi_4039_ = -(_e2329);
                                                 } else {
-                                                    phi_3398_ = _e1964;
+                                                    phi_4039_ = _e2310;
                                                 }
-                                                let _e1986 = phi_3398_;
-                                                phi_3419_ = _e1986;
+                                                let _e2332 = phi_4039_;
+                                                phi_4060_ = _e2332;
                                             }
-                                            let _e2002 = phi_3419_;
-                                            if (_e420.y > 0f) {
-                                                let _e2023 = bitcast<u32>(_e1965);
-                                                if ((_e2023 & 2147483647u) == 0u) {
-                                                    phi_3466_ = 0.000000000000000000000000000000000000000000001f;
+                                            let _e2348 = phi_4060_;
+                                            if (_e586.y > 0f) {
+                                                let _e2369 = bitcast<u32>(_e2311);
+                                                if ((_e2369 & 2147483647u) == 0u) {
+                                                    phi_4107_ = 0.000000000000000000000000000000000000000000001f;
                                                 } else {
-                                                    if ((_e2023 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_3462_ = bitcast<f32>((_e2023 + 1u));
+                                                    if ((_e2369 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_4103_ = bitcast<f32>((_e2369 + 1u));
                                                     } else {
-                                                        phi_3462_ = bitcast<f32>((_e2023 - 1u));
+                                                        phi_4103_ = bitcast<f32>((_e2369 - 1u));
                                                     }
-                                                    let _e2034 = phi_3462_;
-                                                    phi_3466_ = _e2034;
+                                                    let _e2380 = phi_4103_;
+                                                    phi_4107_ = _e2380;
                                                 }
-                                                let _e2036 = phi_3466_;
-                                                phi_3468_ = _e2036;
+                                                let _e2382 = phi_4107_;
+                                                phi_4109_ = _e2382;
                                             } else {
-                                                if (_e420.y < 0f) {
-                                                    let _e2006 = bitcast<u32>(-(_e1965));
-                                                    if ((_e2006 & 2147483647u) == 0u) {
-                                                        phi_3444_ = 0.000000000000000000000000000000000000000000001f;
+                                                if (_e586.y < 0f) {
+                                                    let _e2352 = bitcast<u32>(-(_e2311));
+                                                    if ((_e2352 & 2147483647u) == 0u) {
+                                                        phi_4085_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e2006 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_3440_ = bitcast<f32>((_e2006 + 1u));
+                                                        if ((_e2352 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_4081_ = bitcast<f32>((_e2352 + 1u));
                                                         } else {
-                                                            phi_3440_ = bitcast<f32>((_e2006 - 1u));
+                                                            phi_4081_ = bitcast<f32>((_e2352 - 1u));
                                                         }
-                                                        let _e2017 = phi_3440_;
-                                                        phi_3444_ = _e2017;
+                                                        let _e2363 = phi_4081_;
+                                                        phi_4085_ = _e2363;
                                                     }
-                                                    let _e2019 = phi_3444_;
-                                                    phi_3447_ = -(_e2019);
+                                                    let _e2365 = phi_4085_;
+                                                    phi_4088_ = -(_e2365);
                                                 } else {
-                                                    phi_3447_ = _e1965;
+                                                    phi_4088_ = _e2311;
                                                 }
-                                                let _e2022 = phi_3447_;
-                                                phi_3468_ = _e2022;
+                                                let _e2368 = phi_4088_;
+                                                phi_4109_ = _e2368;
                                             }
-                                            let _e2038 = phi_3468_;
-                                            if (_e420.z > 0f) {
-                                                let _e2059 = bitcast<u32>(_e1966);
-                                                if ((_e2059 & 2147483647u) == 0u) {
-                                                    phi_3515_ = 0.000000000000000000000000000000000000000000001f;
+                                            let _e2384 = phi_4109_;
+                                            if (_e586.z > 0f) {
+                                                let _e2405 = bitcast<u32>(_e2312);
+                                                if ((_e2405 & 2147483647u) == 0u) {
+                                                    phi_4156_ = 0.000000000000000000000000000000000000000000001f;
                                                 } else {
-                                                    if ((_e2059 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_3511_ = bitcast<f32>((_e2059 + 1u));
+                                                    if ((_e2405 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_4152_ = bitcast<f32>((_e2405 + 1u));
                                                     } else {
-                                                        phi_3511_ = bitcast<f32>((_e2059 - 1u));
+                                                        phi_4152_ = bitcast<f32>((_e2405 - 1u));
                                                     }
-                                                    let _e2070 = phi_3511_;
-                                                    phi_3515_ = _e2070;
+                                                    let _e2416 = phi_4152_;
+                                                    phi_4156_ = _e2416;
                                                 }
-                                                let _e2072 = phi_3515_;
-                                                phi_3517_ = _e2072;
+                                                let _e2418 = phi_4156_;
+                                                phi_4158_ = _e2418;
                                             } else {
-                                                if (_e420.z < 0f) {
-                                                    let _e2042 = bitcast<u32>(-(_e1966));
-                                                    if ((_e2042 & 2147483647u) == 0u) {
-                                                        phi_3493_ = 0.000000000000000000000000000000000000000000001f;
+                                                if (_e586.z < 0f) {
+                                                    let _e2388 = bitcast<u32>(-(_e2312));
+                                                    if ((_e2388 & 2147483647u) == 0u) {
+                                                        phi_4134_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e2042 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_3489_ = bitcast<f32>((_e2042 + 1u));
+                                                        if ((_e2388 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_4130_ = bitcast<f32>((_e2388 + 1u));
                                                         } else {
-                                                            phi_3489_ = bitcast<f32>((_e2042 - 1u));
+                                                            phi_4130_ = bitcast<f32>((_e2388 - 1u));
                                                         }
-                                                        let _e2053 = phi_3489_;
-                                                        phi_3493_ = _e2053;
+                                                        let _e2399 = phi_4130_;
+                                                        phi_4134_ = _e2399;
                                                     }
-                                                    let _e2055 = phi_3493_;
-                                                    phi_3496_ = -(_e2055);
+                                                    let _e2401 = phi_4134_;
+                                                    phi_4137_ = -(_e2401);
                                                 } else {
-                                                    phi_3496_ = _e1966;
+                                                    phi_4137_ = _e2312;
                                                 }
-                                                let _e2058 = phi_3496_;
-                                                phi_3517_ = _e2058;
+                                                let _e2404 = phi_4137_;
+                                                phi_4158_ = _e2404;
                                             }
-                                            let _e2074 = phi_3517_;
-                                            if _e1590 {
-                                                phi_3538_ = vec3<f32>((_e1226.member[0] - _e2002), (_e1226.member[1] - _e2038), (_e1226.member[2] - _e2074));
+                                            let _e2420 = phi_4158_;
+                                            if _e1936 {
+                                                phi_4179_ = vec3<f32>((_e1572.member[0] - _e2348), (_e1572.member[1] - _e2384), (_e1572.member[2] - _e2420));
                                             } else {
-                                                phi_3538_ = vec3<f32>(_e1226.member[0], _e1226.member[1], _e1226.member[2]);
+                                                phi_4179_ = vec3<f32>(_e1572.member[0], _e1572.member[1], _e1572.member[2]);
                                             }
-                                            let _e2084 = phi_3538_;
-                                            phi_3552_ = type_49(type_35(array<f32, 3>(_e2002, _e2038, _e2074), 0f, array<f32, 3>(_e2084.x, _e2084.y, _e2084.z), select(340282350000000000000000000000000000000f, 1f, _e1590)), array<f32, 3>(0f, 0f, 0f), _e117.member_3);
+                                            let _e2430 = phi_4179_;
+                                            phi_4193_ = type_49(type_35(array<f32, 3>(_e2348, _e2384, _e2420), 0f, array<f32, 3>(_e2430.x, _e2430.y, _e2430.z), select(340282350000000000000000000000000000000f, 1f, _e1936)), array<f32, 3>(0f, 0f, 0f), _e121.member_3);
                                         }
-                                        let _e2094 = phi_3552_;
-                                        phi_1661_ = _e2094;
+                                        let _e2440 = phi_4193_;
+                                        phi_2302_ = _e2440;
                                     } else {
-                                        let _e1240 = (_e1226.member_1 == 1u);
-                                        if _e1240 {
-                                            phi_2728_ = (vec3<f32>(_e1226.member[0], _e1226.member[1], _e1226.member[2]) - _e214);
+                                        let _e1586 = (_e1572.member_1 == 1u);
+                                        if _e1586 {
+                                            phi_3369_ = (vec3<f32>(_e1572.member[0], _e1572.member[1], _e1572.member[2]) - _e380);
                                         } else {
-                                            phi_2728_ = vec3<f32>(_e1226.member[0], _e1226.member[1], _e1226.member[2]);
+                                            phi_3369_ = vec3<f32>(_e1572.member[0], _e1572.member[1], _e1572.member[2]);
                                         }
-                                        let _e1251 = phi_2728_;
-                                        let _e1253 = bitcast<f32>(bitcast<u32>(_e330));
-                                        let _e1256 = bitcast<f32>(bitcast<u32>((_e319 * _e321)));
-                                        let _e1258 = bitcast<f32>(bitcast<u32>(_e324));
-                                        let _e1261 = bitcast<f32>(bitcast<u32>((_e320 * _e322)));
-                                        let _e1263 = bitcast<f32>(bitcast<u32>(_e327));
-                                        let _e1266 = bitcast<f32>(bitcast<u32>((_e318 * _e323)));
-                                        let _e1330 = global_12[0u];
-                                        if (_e1226.member_2[0] == _e1330) {
-                                            let _e1333 = global_12[1u];
-                                            let _e1334 = (_e1226.member_2[1] == _e1333);
-                                            if _e1334 {
-                                                let _e1336 = global_12[2u];
-                                                phi_2934_ = (_e1226.member_2[2] == _e1336);
+                                        let _e1597 = phi_3369_;
+                                        let _e1599 = bitcast<f32>(bitcast<u32>(_e496));
+                                        let _e1602 = bitcast<f32>(bitcast<u32>((_e485 * _e487)));
+                                        let _e1604 = bitcast<f32>(bitcast<u32>(_e490));
+                                        let _e1607 = bitcast<f32>(bitcast<u32>((_e486 * _e488)));
+                                        let _e1609 = bitcast<f32>(bitcast<u32>(_e493));
+                                        let _e1612 = bitcast<f32>(bitcast<u32>((_e484 * _e489)));
+                                        let _e1676 = global_12[0u];
+                                        if (_e1572.member_2[0] == _e1676) {
+                                            let _e1679 = global_12[1u];
+                                            let _e1680 = (_e1572.member_2[1] == _e1679);
+                                            if _e1680 {
+                                                let _e1682 = global_12[2u];
+                                                phi_3575_ = (_e1572.member_2[2] == _e1682);
                                             } else {
-                                                phi_2934_ = bool();
+                                                phi_3575_ = bool();
                                             }
-                                            let _e1339 = phi_2934_;
-                                            phi_2937_ = _e1339;
-                                            phi_2938_ = select(true, false, _e1334);
+                                            let _e1685 = phi_3575_;
+                                            phi_3578_ = _e1685;
+                                            phi_3579_ = select(true, false, _e1680);
                                         } else {
-                                            phi_2937_ = bool();
-                                            phi_2938_ = true;
+                                            phi_3578_ = bool();
+                                            phi_3579_ = true;
                                         }
-                                        let _e1342 = phi_2937_;
-                                        let _e1344 = phi_2938_;
-                                        if select(_e1342, false, _e1344) {
-                                            phi_3308_ = type_49();
-                                            phi_3309_ = true;
+                                        let _e1688 = phi_3578_;
+                                        let _e1690 = phi_3579_;
+                                        if select(_e1688, false, _e1690) {
+                                            phi_3949_ = type_49();
+                                            phi_3950_ = true;
                                         } else {
-                                            let _e1347 = ((((bitcast<f32>(bitcast<u32>((_e1251.x * (_e1258 - _e1261)))) + bitcast<f32>(bitcast<u32>((_e1251.y * (_e1263 - _e1266))))) + bitcast<f32>(bitcast<u32>((_e1251.z * (_e1253 - _e1256))))) * _e416) > (bitcast<f32>(bitcast<u32>((0.0000009536752f * ((bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1251.x) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1258) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1261) & 2147483647u)))))) + bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1251.y) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1263) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u))))))) + bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1251.z) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1253) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1256) & 2147483647u)))))))))) + 0.0000000000000000000000000000000000001880791f));
-                                            if _e1347 {
-                                                let _e1349 = select(_e316, _e315, (_e315 > _e316));
-                                                let _e1366 = (select(_e317, _e1349, (_e1349 > _e317)) * ((bitcast<f32>((bitcast<u32>(_e420.x) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e420.y) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e420.z) & 2147483647u))));
-                                                let _e1370 = (_e279 + (_e420.x * _e1366));
-                                                let _e1371 = (_e280 + (_e420.y * _e1366));
-                                                let _e1372 = (_e281 + (_e420.z * _e1366));
-                                                if (_e420.x > 0f) {
-                                                    let _e1393 = bitcast<u32>(_e1370);
-                                                    if ((_e1393 & 2147483647u) == 0u) {
-                                                        phi_3049_ = 0.000000000000000000000000000000000000000000001f;
+                                            let _e1693 = ((((bitcast<f32>(bitcast<u32>((_e1597.x * (_e1604 - _e1607)))) + bitcast<f32>(bitcast<u32>((_e1597.y * (_e1609 - _e1612))))) + bitcast<f32>(bitcast<u32>((_e1597.z * (_e1599 - _e1602))))) * _e582) > (bitcast<f32>(bitcast<u32>((0.0000009536752f * ((bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1597.x) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1604) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1607) & 2147483647u)))))) + bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1597.y) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1609) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1612) & 2147483647u))))))) + bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1597.z) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e1599) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1602) & 2147483647u)))))))))) + 0.0000000000000000000000000000000000001880791f));
+                                            if _e1693 {
+                                                let _e1695 = select(_e482, _e481, (_e481 > _e482));
+                                                let _e1712 = (select(_e483, _e1695, (_e1695 > _e483)) * ((bitcast<f32>((bitcast<u32>(_e586.x) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e586.y) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e586.z) & 2147483647u))));
+                                                let _e1716 = (_e445 + (_e586.x * _e1712));
+                                                let _e1717 = (_e446 + (_e586.y * _e1712));
+                                                let _e1718 = (_e447 + (_e586.z * _e1712));
+                                                if (_e586.x > 0f) {
+                                                    let _e1739 = bitcast<u32>(_e1716);
+                                                    if ((_e1739 & 2147483647u) == 0u) {
+                                                        phi_3690_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e1393 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_3045_ = bitcast<f32>((_e1393 + 1u));
+                                                        if ((_e1739 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_3686_ = bitcast<f32>((_e1739 + 1u));
                                                         } else {
-                                                            phi_3045_ = bitcast<f32>((_e1393 - 1u));
+                                                            phi_3686_ = bitcast<f32>((_e1739 - 1u));
                                                         }
-                                                        let _e1404 = phi_3045_;
-                                                        phi_3049_ = _e1404;
+                                                        let _e1750 = phi_3686_;
+                                                        phi_3690_ = _e1750;
                                                     }
-                                                    let _e1406 = phi_3049_;
-                                                    phi_3051_ = _e1406;
+                                                    let _e1752 = phi_3690_;
+                                                    phi_3692_ = _e1752;
                                                 } else {
-                                                    if (_e420.x < 0f) {
-                                                        let _e1376 = bitcast<u32>(-(_e1370));
-                                                        if ((_e1376 & 2147483647u) == 0u) {
-                                                            phi_3027_ = 0.000000000000000000000000000000000000000000001f;
+                                                    if (_e586.x < 0f) {
+                                                        let _e1722 = bitcast<u32>(-(_e1716));
+                                                        if ((_e1722 & 2147483647u) == 0u) {
+                                                            phi_3668_ = 0.000000000000000000000000000000000000000000001f;
                                                         } else {
-                                                            if ((_e1376 >> bitcast<u32>(31i)) == 0u) {
-                                                                phi_3023_ = bitcast<f32>((_e1376 + 1u));
+                                                            if ((_e1722 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_3664_ = bitcast<f32>((_e1722 + 1u));
                                                             } else {
-                                                                phi_3023_ = bitcast<f32>((_e1376 - 1u));
+                                                                phi_3664_ = bitcast<f32>((_e1722 - 1u));
                                                             }
-                                                            let _e1387 = phi_3023_;
-                                                            phi_3027_ = _e1387;
+                                                            let _e1733 = phi_3664_;
+                                                            phi_3668_ = _e1733;
                                                         }
-                                                        let _e1389 = phi_3027_;
-                                                        phi_3030_ = -(_e1389);
+                                                        let _e1735 = phi_3668_;
+                                                        phi_3671_ = -(_e1735);
                                                     } else {
-                                                        phi_3030_ = _e1370;
+                                                        phi_3671_ = _e1716;
                                                     }
-                                                    let _e1392 = phi_3030_;
-                                                    phi_3051_ = _e1392;
+                                                    let _e1738 = phi_3671_;
+                                                    phi_3692_ = _e1738;
                                                 }
-                                                let _e1408 = phi_3051_;
-                                                if (_e420.y > 0f) {
-                                                    let _e1429 = bitcast<u32>(_e1371);
-                                                    if ((_e1429 & 2147483647u) == 0u) {
-                                                        phi_3098_ = 0.000000000000000000000000000000000000000000001f;
+                                                let _e1754 = phi_3692_;
+                                                if (_e586.y > 0f) {
+                                                    let _e1775 = bitcast<u32>(_e1717);
+                                                    if ((_e1775 & 2147483647u) == 0u) {
+                                                        phi_3739_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e1429 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_3094_ = bitcast<f32>((_e1429 + 1u));
+                                                        if ((_e1775 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_3735_ = bitcast<f32>((_e1775 + 1u));
                                                         } else {
-                                                            phi_3094_ = bitcast<f32>((_e1429 - 1u));
+                                                            phi_3735_ = bitcast<f32>((_e1775 - 1u));
                                                         }
-                                                        let _e1440 = phi_3094_;
-                                                        phi_3098_ = _e1440;
+                                                        let _e1786 = phi_3735_;
+                                                        phi_3739_ = _e1786;
                                                     }
-                                                    let _e1442 = phi_3098_;
-                                                    phi_3100_ = _e1442;
+                                                    let _e1788 = phi_3739_;
+                                                    phi_3741_ = _e1788;
                                                 } else {
-                                                    if (_e420.y < 0f) {
-                                                        let _e1412 = bitcast<u32>(-(_e1371));
-                                                        if ((_e1412 & 2147483647u) == 0u) {
-                                                            phi_3076_ = 0.000000000000000000000000000000000000000000001f;
+                                                    if (_e586.y < 0f) {
+                                                        let _e1758 = bitcast<u32>(-(_e1717));
+                                                        if ((_e1758 & 2147483647u) == 0u) {
+                                                            phi_3717_ = 0.000000000000000000000000000000000000000000001f;
                                                         } else {
-                                                            if ((_e1412 >> bitcast<u32>(31i)) == 0u) {
-                                                                phi_3072_ = bitcast<f32>((_e1412 + 1u));
+                                                            if ((_e1758 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_3713_ = bitcast<f32>((_e1758 + 1u));
                                                             } else {
-                                                                phi_3072_ = bitcast<f32>((_e1412 - 1u));
+                                                                phi_3713_ = bitcast<f32>((_e1758 - 1u));
                                                             }
-                                                            let _e1423 = phi_3072_;
-                                                            phi_3076_ = _e1423;
+                                                            let _e1769 = phi_3713_;
+                                                            phi_3717_ = _e1769;
                                                         }
-                                                        let _e1425 = phi_3076_;
-                                                        phi_3079_ = -(_e1425);
+                                                        let _e1771 = phi_3717_;
+                                                        phi_3720_ = -(_e1771);
                                                     } else {
-                                                        phi_3079_ = _e1371;
+                                                        phi_3720_ = _e1717;
                                                     }
-                                                    let _e1428 = phi_3079_;
-                                                    phi_3100_ = _e1428;
+                                                    let _e1774 = phi_3720_;
+                                                    phi_3741_ = _e1774;
                                                 }
-                                                let _e1444 = phi_3100_;
-                                                if (_e420.z > 0f) {
-                                                    let _e1465 = bitcast<u32>(_e1372);
-                                                    if ((_e1465 & 2147483647u) == 0u) {
-                                                        phi_3147_ = 0.000000000000000000000000000000000000000000001f;
+                                                let _e1790 = phi_3741_;
+                                                if (_e586.z > 0f) {
+                                                    let _e1811 = bitcast<u32>(_e1718);
+                                                    if ((_e1811 & 2147483647u) == 0u) {
+                                                        phi_3788_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e1465 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_3143_ = bitcast<f32>((_e1465 + 1u));
+                                                        if ((_e1811 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_3784_ = bitcast<f32>((_e1811 + 1u));
                                                         } else {
-                                                            phi_3143_ = bitcast<f32>((_e1465 - 1u));
+                                                            phi_3784_ = bitcast<f32>((_e1811 - 1u));
                                                         }
-                                                        let _e1476 = phi_3143_;
-                                                        phi_3147_ = _e1476;
+                                                        let _e1822 = phi_3784_;
+                                                        phi_3788_ = _e1822;
                                                     }
-                                                    let _e1478 = phi_3147_;
-                                                    phi_3149_ = _e1478;
+                                                    let _e1824 = phi_3788_;
+                                                    phi_3790_ = _e1824;
                                                 } else {
-                                                    if (_e420.z < 0f) {
-                                                        let _e1448 = bitcast<u32>(-(_e1372));
-                                                        if ((_e1448 & 2147483647u) == 0u) {
-                                                            phi_3125_ = 0.000000000000000000000000000000000000000000001f;
+                                                    if (_e586.z < 0f) {
+                                                        let _e1794 = bitcast<u32>(-(_e1718));
+                                                        if ((_e1794 & 2147483647u) == 0u) {
+                                                            phi_3766_ = 0.000000000000000000000000000000000000000000001f;
                                                         } else {
-                                                            if ((_e1448 >> bitcast<u32>(31i)) == 0u) {
-                                                                phi_3121_ = bitcast<f32>((_e1448 + 1u));
+                                                            if ((_e1794 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_3762_ = bitcast<f32>((_e1794 + 1u));
                                                             } else {
-                                                                phi_3121_ = bitcast<f32>((_e1448 - 1u));
+                                                                phi_3762_ = bitcast<f32>((_e1794 - 1u));
                                                             }
-                                                            let _e1459 = phi_3121_;
-                                                            phi_3125_ = _e1459;
+                                                            let _e1805 = phi_3762_;
+                                                            phi_3766_ = _e1805;
                                                         }
-                                                        let _e1461 = phi_3125_;
-                                                        phi_3128_ = -(_e1461);
+                                                        let _e1807 = phi_3766_;
+                                                        phi_3769_ = -(_e1807);
                                                     } else {
-                                                        phi_3128_ = _e1372;
+                                                        phi_3769_ = _e1718;
                                                     }
-                                                    let _e1464 = phi_3128_;
-                                                    phi_3149_ = _e1464;
+                                                    let _e1810 = phi_3769_;
+                                                    phi_3790_ = _e1810;
                                                 }
-                                                let _e1480 = phi_3149_;
-                                                if _e1240 {
-                                                    phi_3170_ = vec3<f32>((_e1226.member[0] - _e1408), (_e1226.member[1] - _e1444), (_e1226.member[2] - _e1480));
+                                                let _e1826 = phi_3790_;
+                                                if _e1586 {
+                                                    phi_3811_ = vec3<f32>((_e1572.member[0] - _e1754), (_e1572.member[1] - _e1790), (_e1572.member[2] - _e1826));
                                                 } else {
-                                                    phi_3170_ = vec3<f32>(_e1226.member[0], _e1226.member[1], _e1226.member[2]);
+                                                    phi_3811_ = vec3<f32>(_e1572.member[0], _e1572.member[1], _e1572.member[2]);
                                                 }
-                                                let _e1490 = phi_3170_;
-                                                let _e1503 = sqrt((((_e1490.x * _e1490.x) + (_e1490.y * _e1490.y)) + (_e1490.z * _e1490.z)));
-                                                let _e1512 = ((((_e533.x * _e1490.x) + (_e533.y * _e1490.y)) + (_e533.z * _e1490.z)) / _e1503);
-                                                if _e1240 {
-                                                    phi_3204_ = (_e1503 <= _e1226.member_3);
+                                                let _e1836 = phi_3811_;
+                                                let _e1849 = sqrt((((_e1836.x * _e1836.x) + (_e1836.y * _e1836.y)) + (_e1836.z * _e1836.z)));
+                                                let _e1858 = ((((_e699.x * _e1836.x) + (_e699.y * _e1836.y)) + (_e699.z * _e1836.z)) / _e1849);
+                                                if _e1586 {
+                                                    phi_3845_ = (_e1849 <= _e1572.member_3);
                                                 } else {
-                                                    phi_3204_ = true;
+                                                    phi_3845_ = true;
                                                 }
-                                                let _e1515 = phi_3204_;
-                                                if _e1240 {
-                                                    phi_3210_ = (1f / (_e1503 * _e1503));
+                                                let _e1861 = phi_3845_;
+                                                if _e1586 {
+                                                    phi_3851_ = (1f / (_e1849 * _e1849));
                                                 } else {
-                                                    phi_3210_ = 1f;
+                                                    phi_3851_ = 1f;
                                                 }
-                                                let _e1519 = phi_3210_;
-                                                let _e1520 = -(_e1490.x);
-                                                let _e1521 = -(_e1490.y);
-                                                let _e1522 = -(_e1490.z);
-                                                if (_e1226.member_5 == 0u) {
-                                                    phi_3246_ = 1f;
+                                                let _e1865 = phi_3851_;
+                                                let _e1866 = -(_e1836.x);
+                                                let _e1867 = -(_e1836.y);
+                                                let _e1868 = -(_e1836.z);
+                                                if (_e1572.member_5 == 0u) {
+                                                    phi_3887_ = 1f;
                                                 } else {
-                                                    let _e1538 = ((((_e1226.member_8[0] * _e1520) + (_e1226.member_8[1] * _e1521)) + (_e1226.member_8[2] * _e1522)) / sqrt((((_e1520 * _e1520) + (_e1521 * _e1521)) + (_e1522 * _e1522))));
-                                                    phi_3246_ = select(0f, _e1538, (_e1538 > 0f));
+                                                    let _e1884 = ((((_e1572.member_8[0] * _e1866) + (_e1572.member_8[1] * _e1867)) + (_e1572.member_8[2] * _e1868)) / sqrt((((_e1866 * _e1866) + (_e1867 * _e1867)) + (_e1868 * _e1868))));
+                                                    phi_3887_ = select(0f, _e1884, (_e1884 > 0f));
                                                 }
-                                                let _e1542 = phi_3246_;
-                                                if (_e1512 > 0f) {
-                                                    if _e1515 {
-                                                        let _e1544 = (_e1542 > 0f);
-                                                        if _e1544 {
-                                                            let _e1551 = ((1f - select(_e545.member_1, _e545.member_2, (_e545.member_2 > 0f))) * 0.31830987f);
-                                                            let _e1559 = ((_e1512 * _e1519) * _e1542);
-                                                            phi_3291_ = type_49(type_35(array<f32, 3>(_e1408, _e1444, _e1480), 0f, array<f32, 3>(_e1490.x, _e1490.y, _e1490.z), select(340282350000000000000000000000000000000f, 1f, _e1240)), array<f32, 3>(((_e1226.member_2[0] * (_e545.member[0] * _e1551)) * _e1559), ((_e1226.member_2[1] * (_e545.member[1] * _e1551)) * _e1559), ((_e1226.member_2[2] * (_e545.member[2] * _e1551)) * _e1559)), _e117.member_3);
+                                                let _e1888 = phi_3887_;
+                                                if (_e1858 > 0f) {
+                                                    if _e1861 {
+                                                        let _e1890 = (_e1888 > 0f);
+                                                        if _e1890 {
+                                                            let _e1897 = ((1f - select(_e711.member_1, _e711.member_2, (_e711.member_2 > 0f))) * 0.31830987f);
+                                                            let _e1905 = ((_e1858 * _e1865) * _e1888);
+                                                            phi_3932_ = type_49(type_35(array<f32, 3>(_e1754, _e1790, _e1826), 0f, array<f32, 3>(_e1836.x, _e1836.y, _e1836.z), select(340282350000000000000000000000000000000f, 1f, _e1586)), array<f32, 3>(((_e1572.member_2[0] * (_e711.member[0] * _e1897)) * _e1905), ((_e1572.member_2[1] * (_e711.member[1] * _e1897)) * _e1905), ((_e1572.member_2[2] * (_e711.member[2] * _e1897)) * _e1905)), _e121.member_3);
                                                         } else {
-                                                            phi_3291_ = type_49();
+                                                            phi_3932_ = type_49();
                                                         }
-                                                        let _e1566 = phi_3291_;
-                                                        phi_3294_ = _e1566;
-                                                        phi_3295_ = select(true, false, _e1544);
+                                                        let _e1912 = phi_3932_;
+                                                        phi_3935_ = _e1912;
+                                                        phi_3936_ = select(true, false, _e1890);
                                                     } else {
-                                                        phi_3294_ = type_49();
-                                                        phi_3295_ = true;
+                                                        phi_3935_ = type_49();
+                                                        phi_3936_ = true;
                                                     }
-                                                    let _e1569 = phi_3294_;
-                                                    let _e1571 = phi_3295_;
-                                                    phi_3297_ = _e1569;
-                                                    phi_3298_ = _e1571;
+                                                    let _e1915 = phi_3935_;
+                                                    let _e1917 = phi_3936_;
+                                                    phi_3938_ = _e1915;
+                                                    phi_3939_ = _e1917;
                                                 } else {
-                                                    phi_3297_ = type_49();
-                                                    phi_3298_ = true;
+                                                    phi_3938_ = type_49();
+                                                    phi_3939_ = true;
                                                 }
-                                                let _e1573 = phi_3297_;
-                                                let _e1575 = phi_3298_;
-                                                if _e1575 {
-                                                    phi_3302_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                                                let _e1919 = phi_3938_;
+                                                let _e1921 = phi_3939_;
+                                                if _e1921 {
+                                                    phi_3943_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                                                 } else {
-                                                    phi_3302_ = _e1573;
+                                                    phi_3943_ = _e1919;
                                                 }
-                                                let _e1577 = phi_3302_;
-                                                phi_3304_ = _e1577;
+                                                let _e1923 = phi_3943_;
+                                                phi_3945_ = _e1923;
                                             } else {
-                                                phi_3304_ = type_49();
+                                                phi_3945_ = type_49();
                                             }
-                                            let _e1579 = phi_3304_;
-                                            phi_3308_ = _e1579;
-                                            phi_3309_ = select(true, false, _e1347);
+                                            let _e1925 = phi_3945_;
+                                            phi_3949_ = _e1925;
+                                            phi_3950_ = select(true, false, _e1693);
                                         }
-                                        let _e1582 = phi_3308_;
-                                        let _e1584 = phi_3309_;
-                                        if _e1584 {
-                                            phi_3313_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                                        let _e1928 = phi_3949_;
+                                        let _e1930 = phi_3950_;
+                                        if _e1930 {
+                                            phi_3954_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                                         } else {
-                                            phi_3313_ = _e1582;
+                                            phi_3954_ = _e1928;
                                         }
-                                        let _e1586 = phi_3313_;
-                                        phi_1661_ = _e1586;
+                                        let _e1932 = phi_3954_;
+                                        phi_2302_ = _e1932;
                                     }
-                                    let _e2096 = phi_1661_;
-                                    phi_1662_ = _e2096;
+                                    let _e2442 = phi_2302_;
+                                    phi_2303_ = _e2442;
                                 }
-                                let _e2098 = phi_1662_;
-                                phi_1663_ = _e2098;
+                                let _e2444 = phi_2303_;
+                                phi_2304_ = _e2444;
                             } else {
-                                phi_1663_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                                phi_2304_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                             }
-                            let _e2100 = phi_1663_;
-                            phi_1664_ = _e2100;
+                            let _e2446 = phi_2304_;
+                            phi_2305_ = _e2446;
                         } else {
-                            phi_1664_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                            phi_2305_ = type_49(type_35(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                         }
-                        let _e2102 = phi_1664_;
-                        if _e111 {
+                        let _e2448 = phi_2305_;
+                        if _e115 {
                         } else {
                             break;
                         }
-                        global_11.member[_e108] = _e2102;
+                        global_11.member[_e112] = _e2448;
                     }
                 }
             }

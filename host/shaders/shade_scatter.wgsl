@@ -97,764 +97,782 @@ var<storage> global_8: type_30;
 var<storage, read_write> global_9: type_35;
 
 fn function_() {
-    var phi_1530_: i32;
-    var phi_1561_: i32;
-    var phi_1580_: vec3<f32>;
-    var phi_208_: i32;
-    var phi_232_: array<u32, 3>;
-    var phi_247_: array<f32, 3>;
-    var phi_265_: array<f32, 3>;
-    var phi_283_: array<f32, 3>;
-    var phi_366_: array<u32, 3>;
-    var phi_383_: vec3<f32>;
-    var phi_400_: vec3<f32>;
-    var phi_417_: vec3<f32>;
-    var phi_549_: i32;
-    var phi_580_: i32;
-    var phi_599_: vec3<f32>;
-    var phi_682_: i32;
-    var phi_713_: i32;
-    var phi_732_: vec3<f32>;
-    var phi_762_: u32;
-    var phi_796_: f32;
-    var phi_833_: f32;
-    var phi_855_: f32;
-    var phi_894_: i32;
-    var phi_925_: i32;
-    var phi_944_: vec3<f32>;
-    var phi_984_: vec3<f32>;
-    var phi_1030_: vec3<f32>;
-    var phi_1031_: vec3<f32>;
-    var phi_1118_: f32;
-    var phi_1119_: f32;
-    var phi_1121_: f32;
-    var phi_1095_: f32;
-    var phi_1096_: f32;
-    var phi_1122_: f32;
-    var phi_1166_: f32;
-    var phi_1167_: f32;
-    var phi_1169_: f32;
-    var phi_1143_: f32;
-    var phi_1144_: f32;
-    var phi_1170_: f32;
-    var phi_1214_: f32;
-    var phi_1215_: f32;
-    var phi_1217_: f32;
-    var phi_1191_: f32;
-    var phi_1192_: f32;
-    var phi_1218_: f32;
-    var phi_1221_: type_39;
-    var phi_1223_: type_39;
-    var phi_1224_: bool;
-    var phi_1299_: f32;
-    var phi_1300_: f32;
-    var phi_1302_: f32;
-    var phi_1276_: f32;
-    var phi_1277_: f32;
-    var phi_1303_: f32;
-    var phi_1347_: f32;
-    var phi_1348_: f32;
-    var phi_1350_: f32;
-    var phi_1324_: f32;
-    var phi_1325_: f32;
-    var phi_1351_: f32;
-    var phi_1395_: f32;
-    var phi_1396_: f32;
-    var phi_1398_: f32;
-    var phi_1372_: f32;
-    var phi_1373_: f32;
-    var phi_1399_: f32;
-    var phi_1442_: vec3<f32>;
-    var phi_1444_: type_39;
-    var phi_1464_: vec3<f32>;
-    var phi_1482_: type_33;
-    var phi_1637_: type_33;
+    var phi_1824_: i32;
+    var phi_1855_: i32;
+    var phi_1874_: vec3<f32>;
+    var phi_214_: i32;
+    var phi_238_: array<u32, 3>;
+    var phi_253_: array<f32, 3>;
+    var phi_271_: array<f32, 3>;
+    var phi_289_: array<f32, 3>;
+    var phi_660_: array<u32, 3>;
+    var phi_677_: vec3<f32>;
+    var phi_694_: vec3<f32>;
+    var phi_711_: vec3<f32>;
+    var phi_843_: i32;
+    var phi_874_: i32;
+    var phi_893_: vec3<f32>;
+    var phi_976_: i32;
+    var phi_1007_: i32;
+    var phi_1026_: vec3<f32>;
+    var phi_1056_: u32;
+    var phi_1090_: f32;
+    var phi_1127_: f32;
+    var phi_1149_: f32;
+    var phi_1188_: i32;
+    var phi_1219_: i32;
+    var phi_1238_: vec3<f32>;
+    var phi_1278_: vec3<f32>;
+    var phi_1324_: vec3<f32>;
+    var phi_1325_: vec3<f32>;
+    var phi_1412_: f32;
+    var phi_1413_: f32;
+    var phi_1415_: f32;
+    var phi_1389_: f32;
+    var phi_1390_: f32;
+    var phi_1416_: f32;
+    var phi_1460_: f32;
+    var phi_1461_: f32;
+    var phi_1463_: f32;
+    var phi_1437_: f32;
+    var phi_1438_: f32;
+    var phi_1464_: f32;
+    var phi_1508_: f32;
+    var phi_1509_: f32;
+    var phi_1511_: f32;
+    var phi_1485_: f32;
+    var phi_1486_: f32;
+    var phi_1512_: f32;
+    var phi_1515_: type_39;
+    var phi_1517_: type_39;
+    var phi_1518_: bool;
+    var phi_1593_: f32;
+    var phi_1594_: f32;
+    var phi_1596_: f32;
+    var phi_1570_: f32;
+    var phi_1571_: f32;
+    var phi_1597_: f32;
+    var phi_1641_: f32;
+    var phi_1642_: f32;
+    var phi_1644_: f32;
+    var phi_1618_: f32;
+    var phi_1619_: f32;
+    var phi_1645_: f32;
+    var phi_1689_: f32;
+    var phi_1690_: f32;
+    var phi_1692_: f32;
+    var phi_1666_: f32;
+    var phi_1667_: f32;
+    var phi_1693_: f32;
+    var phi_1736_: vec3<f32>;
+    var phi_1738_: type_39;
+    var phi_1758_: vec3<f32>;
+    var phi_1776_: type_33;
+    var phi_1931_: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e45 = global;
-            let _e48 = arrayLength((&global_2.member));
-            let _e53 = arrayLength((&global_4.member));
-            let _e57 = arrayLength((&global_6.member));
-            let _e59 = arrayLength((&global_7.member));
-            let _e67 = (_e45.x + (_e45.y * 2097152u));
-            let _e68 = (_e67 < arrayLength((&global_9.member)));
-            if _e68 {
-                let _e69 = (_e67 < arrayLength((&global_8.member)));
-                if _e69 {
-                    if (_e57 == 0u) {
+            let _e51 = global;
+            let _e54 = arrayLength((&global_2.member));
+            let _e59 = arrayLength((&global_4.member));
+            let _e63 = arrayLength((&global_6.member));
+            let _e65 = arrayLength((&global_7.member));
+            let _e73 = (_e51.x + (_e51.y * 2097152u));
+            let _e74 = (_e73 < arrayLength((&global_9.member)));
+            if _e74 {
+                let _e75 = (_e73 < arrayLength((&global_8.member)));
+                if _e75 {
+                    if (_e63 == 0u) {
                     } else {
-                        if (_e59 == 0u) {
+                        if (_e65 == 0u) {
                         } else {
-                            if _e68 {
+                            if _e74 {
                             } else {
                                 break;
                             }
-                            let _e74 = global_9.member[_e67];
-                            if _e69 {
+                            let _e80 = global_9.member[_e73];
+                            if _e75 {
                             } else {
                                 break;
                             }
-                            let _e77 = global_8.member[_e67];
-                            if (_e74.member.member_1 <= _e74.member.member_3) {
-                                if (_e77.member_3 != 4294967295u) {
-                                    let _e225 = global_1.member[0u];
-                                    let _e226 = bitcast<i32>(_e225);
-                                    if (_e226 < -126i) {
-                                        phi_208_ = -126i;
+                            let _e83 = global_8.member[_e73];
+                            if (_e80.member.member_1 <= _e80.member.member_3) {
+                                if (_e83.member_3 != 4294967295u) {
+                                    let _e231 = global_1.member[0u];
+                                    let _e232 = bitcast<i32>(_e231);
+                                    if (_e232 < -126i) {
+                                        phi_214_ = -126i;
                                     } else {
-                                        phi_208_ = select(_e226, 127i, (_e226 > 127i));
+                                        phi_214_ = select(_e232, 127i, (_e232 > 127i));
                                     }
-                                    let _e231 = phi_208_;
-                                    let _e236 = bitcast<f32>((bitcast<u32>((_e231 + 127i)) << bitcast<u32>(23i)));
-                                    let _e242 = bitcast<f32>((bitcast<u32>(((_e226 - _e231) + 127i)) << bitcast<u32>(23i)));
-                                    let _e243 = (_e77.member_3 < arrayLength((&global_3.member)));
-                                    if _e243 {
-                                        if _e243 {
-                                        } else {
-                                            break;
-                                        }
-                                        let _e245 = global_3.member[_e77.member_3];
-                                        phi_232_ = _e245;
-                                    } else {
-                                        phi_232_ = array<u32, 3>(0u, 0u, 0u);
-                                    }
-                                    let _e247 = phi_232_;
-                                    let _e249 = (_e247[0] < _e48);
+                                    let _e237 = phi_214_;
+                                    let _e242 = bitcast<f32>((bitcast<u32>((_e237 + 127i)) << bitcast<u32>(23i)));
+                                    let _e248 = bitcast<f32>((bitcast<u32>(((_e232 - _e237) + 127i)) << bitcast<u32>(23i)));
+                                    let _e249 = (_e83.member_3 < arrayLength((&global_3.member)));
                                     if _e249 {
                                         if _e249 {
                                         } else {
                                             break;
                                         }
-                                        let _e251 = global_2.member[_e247[0]];
-                                        phi_247_ = _e251;
+                                        let _e251 = global_3.member[_e83.member_3];
+                                        phi_238_ = _e251;
                                     } else {
-                                        phi_247_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_238_ = array<u32, 3>(0u, 0u, 0u);
                                     }
-                                    let _e253 = phi_247_;
-                                    let _e258 = (_e247[1] < _e48);
-                                    if _e258 {
-                                        if _e258 {
+                                    let _e253 = phi_238_;
+                                    let _e255 = (_e253[0] < _e54);
+                                    if _e255 {
+                                        if _e255 {
                                         } else {
                                             break;
                                         }
-                                        let _e260 = global_2.member[_e247[1]];
-                                        phi_265_ = _e260;
+                                        let _e257 = global_2.member[_e253[0]];
+                                        phi_253_ = _e257;
                                     } else {
-                                        phi_265_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_253_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e262 = phi_265_;
-                                    let _e267 = (_e247[2] < _e48);
-                                    if _e267 {
-                                        if _e267 {
+                                    let _e259 = phi_253_;
+                                    let _e264 = (_e253[1] < _e54);
+                                    if _e264 {
+                                        if _e264 {
                                         } else {
                                             break;
                                         }
-                                        let _e269 = global_2.member[_e247[2]];
-                                        phi_283_ = _e269;
+                                        let _e266 = global_2.member[_e253[1]];
+                                        phi_271_ = _e266;
                                     } else {
-                                        phi_283_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_271_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e271 = phi_283_;
-                                    let _e276 = ((_e253[0] * _e236) * _e242);
-                                    let _e278 = select(_e276, 0f, (_e276 == 0f));
-                                    let _e280 = ((_e253[1] * _e236) * _e242);
-                                    let _e282 = select(_e280, 0f, (_e280 == 0f));
-                                    let _e284 = ((_e253[2] * _e236) * _e242);
-                                    let _e286 = select(_e284, 0f, (_e284 == 0f));
-                                    let _e288 = ((_e262[0] * _e236) * _e242);
-                                    let _e290 = select(_e288, 0f, (_e288 == 0f));
-                                    let _e292 = ((_e262[1] * _e236) * _e242);
-                                    let _e294 = select(_e292, 0f, (_e292 == 0f));
-                                    let _e296 = ((_e262[2] * _e236) * _e242);
-                                    let _e298 = select(_e296, 0f, (_e296 == 0f));
-                                    let _e300 = ((_e271[0] * _e236) * _e242);
-                                    let _e302 = select(_e300, 0f, (_e300 == 0f));
-                                    let _e304 = ((_e271[1] * _e236) * _e242);
-                                    let _e306 = select(_e304, 0f, (_e304 == 0f));
-                                    let _e308 = ((_e271[2] * _e236) * _e242);
-                                    let _e310 = select(_e308, 0f, (_e308 == 0f));
-                                    if _e243 {
-                                        if _e243 {
+                                    let _e268 = phi_271_;
+                                    let _e273 = (_e253[2] < _e54);
+                                    if _e273 {
+                                        if _e273 {
                                         } else {
                                             break;
                                         }
-                                        let _e312 = global_3.member[_e77.member_3];
-                                        phi_366_ = _e312;
+                                        let _e275 = global_2.member[_e253[2]];
+                                        phi_289_ = _e275;
                                     } else {
-                                        phi_366_ = array<u32, 3>(0u, 0u, 0u);
+                                        phi_289_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e314 = phi_366_;
-                                    let _e316 = (_e314[0] < _e53);
-                                    if _e316 {
-                                        if _e316 {
+                                    let _e277 = phi_289_;
+                                    let _e281 = bitcast<u32>(_e259[0]);
+                                    let _e283 = ((_e281 & 2139095040u) != 0u);
+                                    let _e297 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e281 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e281 & 2147483648u))), _e259[0], _e283) * _e242) * select(0.00000011920929f, 1f, _e283)) * _e248);
+                                    let _e302 = select(_e297, 0f, (bitcast<f32>((bitcast<u32>(_e297) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e303 = bitcast<u32>(_e259[1]);
+                                    let _e305 = ((_e303 & 2139095040u) != 0u);
+                                    let _e319 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e303 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e303 & 2147483648u))), _e259[1], _e305) * _e242) * select(0.00000011920929f, 1f, _e305)) * _e248);
+                                    let _e324 = select(_e319, 0f, (bitcast<f32>((bitcast<u32>(_e319) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e325 = bitcast<u32>(_e259[2]);
+                                    let _e327 = ((_e325 & 2139095040u) != 0u);
+                                    let _e341 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e325 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e325 & 2147483648u))), _e259[2], _e327) * _e242) * select(0.00000011920929f, 1f, _e327)) * _e248);
+                                    let _e346 = select(_e341, 0f, (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e347 = bitcast<u32>(_e268[0]);
+                                    let _e349 = ((_e347 & 2139095040u) != 0u);
+                                    let _e363 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e347 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e347 & 2147483648u))), _e268[0], _e349) * _e242) * select(0.00000011920929f, 1f, _e349)) * _e248);
+                                    let _e368 = select(_e363, 0f, (bitcast<f32>((bitcast<u32>(_e363) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e369 = bitcast<u32>(_e268[1]);
+                                    let _e371 = ((_e369 & 2139095040u) != 0u);
+                                    let _e385 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e369 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e369 & 2147483648u))), _e268[1], _e371) * _e242) * select(0.00000011920929f, 1f, _e371)) * _e248);
+                                    let _e390 = select(_e385, 0f, (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e391 = bitcast<u32>(_e268[2]);
+                                    let _e393 = ((_e391 & 2139095040u) != 0u);
+                                    let _e407 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e391 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e391 & 2147483648u))), _e268[2], _e393) * _e242) * select(0.00000011920929f, 1f, _e393)) * _e248);
+                                    let _e412 = select(_e407, 0f, (bitcast<f32>((bitcast<u32>(_e407) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e413 = bitcast<u32>(_e277[0]);
+                                    let _e415 = ((_e413 & 2139095040u) != 0u);
+                                    let _e429 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e413 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e413 & 2147483648u))), _e277[0], _e415) * _e242) * select(0.00000011920929f, 1f, _e415)) * _e248);
+                                    let _e434 = select(_e429, 0f, (bitcast<f32>((bitcast<u32>(_e429) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e435 = bitcast<u32>(_e277[1]);
+                                    let _e437 = ((_e435 & 2139095040u) != 0u);
+                                    let _e451 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e435 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e435 & 2147483648u))), _e277[1], _e437) * _e242) * select(0.00000011920929f, 1f, _e437)) * _e248);
+                                    let _e456 = select(_e451, 0f, (bitcast<f32>((bitcast<u32>(_e451) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    let _e457 = bitcast<u32>(_e277[2]);
+                                    let _e459 = ((_e457 & 2139095040u) != 0u);
+                                    let _e473 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e457 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e457 & 2147483648u))), _e277[2], _e459) * _e242) * select(0.00000011920929f, 1f, _e459)) * _e248);
+                                    let _e478 = select(_e473, 0f, (bitcast<f32>((bitcast<u32>(_e473) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+                                    if _e249 {
+                                        if _e249 {
                                         } else {
                                             break;
                                         }
-                                        let _e319 = global_4.member[_e314[0]];
-                                        phi_383_ = vec3<f32>(_e319[0], _e319[1], _e319[2]);
+                                        let _e480 = global_3.member[_e83.member_3];
+                                        phi_660_ = _e480;
                                     } else {
-                                        phi_383_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_660_ = array<u32, 3>(0u, 0u, 0u);
                                     }
-                                    let _e325 = phi_383_;
-                                    let _e327 = (_e314[1] < _e53);
-                                    if _e327 {
-                                        if _e327 {
+                                    let _e482 = phi_660_;
+                                    let _e484 = (_e482[0] < _e59);
+                                    if _e484 {
+                                        if _e484 {
                                         } else {
                                             break;
                                         }
-                                        let _e330 = global_4.member[_e314[1]];
-                                        phi_400_ = vec3<f32>(_e330[0], _e330[1], _e330[2]);
+                                        let _e487 = global_4.member[_e482[0]];
+                                        phi_677_ = vec3<f32>(_e487[0], _e487[1], _e487[2]);
                                     } else {
-                                        phi_400_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_677_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e336 = phi_400_;
-                                    let _e338 = (_e314[2] < _e53);
-                                    if _e338 {
-                                        if _e338 {
+                                    let _e493 = phi_677_;
+                                    let _e495 = (_e482[1] < _e59);
+                                    if _e495 {
+                                        if _e495 {
                                         } else {
                                             break;
                                         }
-                                        let _e341 = global_4.member[_e314[2]];
-                                        phi_417_ = vec3<f32>(_e341[0], _e341[1], _e341[2]);
+                                        let _e498 = global_4.member[_e482[1]];
+                                        phi_694_ = vec3<f32>(_e498[0], _e498[1], _e498[2]);
                                     } else {
-                                        phi_417_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_694_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e347 = phi_417_;
-                                    let _e356 = ((1f - _e77.member_1) - _e77.member_2);
-                                    let _e358 = select(0f, _e356, (_e356 > 0f));
-                                    let _e360 = select(1f, _e77.member_1, (_e77.member_1 < 1f));
-                                    let _e362 = select(1f, _e77.member_2, (_e77.member_2 < 1f));
-                                    let _e363 = (_e278 * _e358);
-                                    let _e364 = (_e282 * _e358);
-                                    let _e365 = (_e286 * _e358);
-                                    let _e366 = (_e290 * _e360);
-                                    let _e367 = (_e294 * _e360);
-                                    let _e368 = (_e298 * _e360);
-                                    let _e369 = (_e302 * _e362);
-                                    let _e370 = (_e306 * _e362);
-                                    let _e371 = (_e310 * _e362);
-                                    let _e375 = ((_e363 + _e366) + _e369);
-                                    let _e376 = ((_e364 + _e367) + _e370);
-                                    let _e377 = ((_e365 + _e368) + _e371);
-                                    let _e411 = (((bitcast<f32>((bitcast<u32>(_e363) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e366) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e369) & 2147483647u))) * 0.00000071525625f);
-                                    let _e412 = (((bitcast<f32>((bitcast<u32>(_e364) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e367) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e370) & 2147483647u))) * 0.00000071525625f);
-                                    let _e413 = (((bitcast<f32>((bitcast<u32>(_e365) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e368) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e371) & 2147483647u))) * 0.00000071525625f);
-                                    let _e414 = (_e290 - _e278);
-                                    let _e415 = (_e294 - _e282);
-                                    let _e416 = (_e298 - _e286);
-                                    let _e417 = (_e302 - _e278);
-                                    let _e418 = (_e306 - _e282);
-                                    let _e419 = (_e310 - _e286);
-                                    let _e422 = ((_e415 * _e419) - (_e418 * _e416));
-                                    let _e425 = ((_e416 * _e417) - (_e419 * _e414));
-                                    let _e428 = ((_e414 * _e418) - (_e417 * _e415));
-                                    let _e431 = bitcast<f32>((bitcast<u32>(_e422) & 2147483647u));
-                                    let _e434 = bitcast<f32>((bitcast<u32>(_e425) & 2147483647u));
-                                    let _e436 = select(_e434, _e431, (_e431 > _e434));
-                                    let _e439 = bitcast<f32>((bitcast<u32>(_e428) & 2147483647u));
-                                    let _e441 = select(_e439, _e436, (_e436 > _e439));
-                                    if (_e441 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_599_ = vec3<f32>(0f, 0f, 0f);
-                                    } else {
-                                        let _e444 = (bitcast<u32>(_e441) & 2147483647u);
-                                        let _e445 = (_e444 >= 8388608u);
-                                        if _e445 {
-                                            phi_549_ = (bitcast<i32>((_e444 >> bitcast<u32>(23i))) - 127i);
-                                        } else {
-                                            phi_549_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e444)), 32u, (_e444 == 0u))));
-                                        }
-                                        let _e458 = phi_549_;
-                                        let _e465 = bitcast<f32>((bitcast<u32>(((_e458 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                        if _e445 {
-                                            phi_580_ = (bitcast<i32>((_e444 >> bitcast<u32>(23i))) - 127i);
-                                        } else {
-                                            phi_580_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e444)), 32u, (_e444 == 0u))));
-                                        }
-                                        let _e481 = phi_580_;
-                                        let _e487 = bitcast<f32>((bitcast<u32>((((_e458 / 2i) - _e481) + 127i)) << bitcast<u32>(23i)));
-                                        let _e488 = ((_e422 * _e465) * _e487);
-                                        let _e489 = ((_e425 * _e465) * _e487);
-                                        let _e490 = ((_e428 * _e465) * _e487);
-                                        let _e496 = sqrt((((_e488 * _e488) + (_e489 * _e489)) + (_e490 * _e490)));
-                                        phi_599_ = vec3<f32>((_e488 / _e496), (_e489 / _e496), (_e490 / _e496));
-                                    }
-                                    let _e502 = phi_599_;
-                                    let _e512 = select(1f, -1f, ((((_e502.x * _e74.member.member_2[0]) + (_e502.y * _e74.member.member_2[1])) + (_e502.z * _e74.member.member_2[2])) > 0f));
-                                    let _e513 = (_e502.x * _e512);
-                                    let _e514 = (_e502.y * _e512);
-                                    let _e515 = (_e502.z * _e512);
-                                    let _e538 = (((_e325.x * _e358) + (_e336.x * _e360)) + (_e347.x * _e362));
-                                    let _e539 = (((_e325.y * _e358) + (_e336.y * _e360)) + (_e347.y * _e362));
-                                    let _e540 = (((_e325.z * _e358) + (_e336.z * _e360)) + (_e347.z * _e362));
-                                    let _e543 = bitcast<f32>((bitcast<u32>(_e538) & 2147483647u));
-                                    let _e546 = bitcast<f32>((bitcast<u32>(_e539) & 2147483647u));
-                                    let _e548 = select(_e546, _e543, (_e543 > _e546));
-                                    let _e551 = bitcast<f32>((bitcast<u32>(_e540) & 2147483647u));
-                                    let _e553 = select(_e551, _e548, (_e548 > _e551));
-                                    if (_e553 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_732_ = vec3<f32>(0f, 0f, 0f);
-                                    } else {
-                                        let _e556 = (bitcast<u32>(_e553) & 2147483647u);
-                                        let _e557 = (_e556 >= 8388608u);
-                                        if _e557 {
-                                            phi_682_ = (bitcast<i32>((_e556 >> bitcast<u32>(23i))) - 127i);
-                                        } else {
-                                            phi_682_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e556)), 32u, (_e556 == 0u))));
-                                        }
-                                        let _e570 = phi_682_;
-                                        let _e577 = bitcast<f32>((bitcast<u32>(((_e570 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                        if _e557 {
-                                            phi_713_ = (bitcast<i32>((_e556 >> bitcast<u32>(23i))) - 127i);
-                                        } else {
-                                            phi_713_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e556)), 32u, (_e556 == 0u))));
-                                        }
-                                        let _e593 = phi_713_;
-                                        let _e599 = bitcast<f32>((bitcast<u32>((((_e570 / 2i) - _e593) + 127i)) << bitcast<u32>(23i)));
-                                        let _e600 = ((_e538 * _e577) * _e599);
-                                        let _e601 = ((_e539 * _e577) * _e599);
-                                        let _e602 = ((_e540 * _e577) * _e599);
-                                        let _e608 = sqrt((((_e600 * _e600) + (_e601 * _e601)) + (_e602 * _e602)));
-                                        phi_732_ = vec3<f32>((_e600 / _e608), (_e601 / _e608), (_e602 / _e608));
-                                    }
-                                    let _e614 = phi_732_;
-                                    let _e629 = select((_e502 * _e512), (_e614 * _e512), vec3((((((_e614.x * _e512) * _e513) + ((_e614.y * _e512) * _e514)) + ((_e614.z * _e512) * _e515)) > 0f)));
-                                    let _e630 = (_e77.member_3 < arrayLength((&global_5.member)));
-                                    if _e630 {
-                                        if _e630 {
+                                    let _e504 = phi_694_;
+                                    let _e506 = (_e482[2] < _e59);
+                                    if _e506 {
+                                        if _e506 {
                                         } else {
                                             break;
                                         }
-                                        let _e633 = global_5.member[_e77.member_3];
-                                        phi_762_ = _e633;
+                                        let _e509 = global_4.member[_e482[2]];
+                                        phi_711_ = vec3<f32>(_e509[0], _e509[1], _e509[2]);
                                     } else {
-                                        phi_762_ = 0u;
+                                        phi_711_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e635 = phi_762_;
-                                    let _e637 = select(_e635, 0u, (_e635 >= _e57));
-                                    if (_e637 < _e57) {
+                                    let _e515 = phi_711_;
+                                    let _e524 = ((1f - _e83.member_1) - _e83.member_2);
+                                    let _e526 = select(0f, _e524, (_e524 > 0f));
+                                    let _e528 = select(1f, _e83.member_1, (_e83.member_1 < 1f));
+                                    let _e530 = select(1f, _e83.member_2, (_e83.member_2 < 1f));
+                                    let _e531 = (_e302 * _e526);
+                                    let _e532 = (_e324 * _e526);
+                                    let _e533 = (_e346 * _e526);
+                                    let _e534 = (_e368 * _e528);
+                                    let _e535 = (_e390 * _e528);
+                                    let _e536 = (_e412 * _e528);
+                                    let _e537 = (_e434 * _e530);
+                                    let _e538 = (_e456 * _e530);
+                                    let _e539 = (_e478 * _e530);
+                                    let _e543 = ((_e531 + _e534) + _e537);
+                                    let _e544 = ((_e532 + _e535) + _e538);
+                                    let _e545 = ((_e533 + _e536) + _e539);
+                                    let _e579 = (((bitcast<f32>((bitcast<u32>(_e531) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e534) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e537) & 2147483647u))) * 0.00000071525625f);
+                                    let _e580 = (((bitcast<f32>((bitcast<u32>(_e532) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e535) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e538) & 2147483647u))) * 0.00000071525625f);
+                                    let _e581 = (((bitcast<f32>((bitcast<u32>(_e533) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e536) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e539) & 2147483647u))) * 0.00000071525625f);
+                                    let _e582 = (_e368 - _e302);
+                                    let _e583 = (_e390 - _e324);
+                                    let _e584 = (_e412 - _e346);
+                                    let _e585 = (_e434 - _e302);
+                                    let _e586 = (_e456 - _e324);
+                                    let _e587 = (_e478 - _e346);
+                                    let _e590 = ((_e583 * _e587) - (_e586 * _e584));
+                                    let _e593 = ((_e584 * _e585) - (_e587 * _e582));
+                                    let _e596 = ((_e582 * _e586) - (_e585 * _e583));
+                                    let _e599 = bitcast<f32>((bitcast<u32>(_e590) & 2147483647u));
+                                    let _e602 = bitcast<f32>((bitcast<u32>(_e593) & 2147483647u));
+                                    let _e604 = select(_e602, _e599, (_e599 > _e602));
+                                    let _e607 = bitcast<f32>((bitcast<u32>(_e596) & 2147483647u));
+                                    let _e609 = select(_e607, _e604, (_e604 > _e607));
+                                    if (_e609 < 0.000000000000000000000000000000000000011754944f) {
+                                        phi_893_ = vec3<f32>(0f, 0f, 0f);
+                                    } else {
+                                        let _e612 = (bitcast<u32>(_e609) & 2147483647u);
+                                        let _e613 = (_e612 >= 8388608u);
+                                        if _e613 {
+                                            phi_843_ = (bitcast<i32>((_e612 >> bitcast<u32>(23i))) - 127i);
+                                        } else {
+                                            phi_843_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e612)), 32u, (_e612 == 0u))));
+                                        }
+                                        let _e626 = phi_843_;
+                                        let _e633 = bitcast<f32>((bitcast<u32>(((_e626 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                        if _e613 {
+                                            phi_874_ = (bitcast<i32>((_e612 >> bitcast<u32>(23i))) - 127i);
+                                        } else {
+                                            phi_874_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e612)), 32u, (_e612 == 0u))));
+                                        }
+                                        let _e649 = phi_874_;
+                                        let _e655 = bitcast<f32>((bitcast<u32>((((_e626 / 2i) - _e649) + 127i)) << bitcast<u32>(23i)));
+                                        let _e656 = ((_e590 * _e633) * _e655);
+                                        let _e657 = ((_e593 * _e633) * _e655);
+                                        let _e658 = ((_e596 * _e633) * _e655);
+                                        let _e664 = sqrt((((_e656 * _e656) + (_e657 * _e657)) + (_e658 * _e658)));
+                                        phi_893_ = vec3<f32>((_e656 / _e664), (_e657 / _e664), (_e658 / _e664));
+                                    }
+                                    let _e670 = phi_893_;
+                                    let _e680 = select(1f, -1f, ((((_e670.x * _e80.member.member_2[0]) + (_e670.y * _e80.member.member_2[1])) + (_e670.z * _e80.member.member_2[2])) > 0f));
+                                    let _e681 = (_e670.x * _e680);
+                                    let _e682 = (_e670.y * _e680);
+                                    let _e683 = (_e670.z * _e680);
+                                    let _e706 = (((_e493.x * _e526) + (_e504.x * _e528)) + (_e515.x * _e530));
+                                    let _e707 = (((_e493.y * _e526) + (_e504.y * _e528)) + (_e515.y * _e530));
+                                    let _e708 = (((_e493.z * _e526) + (_e504.z * _e528)) + (_e515.z * _e530));
+                                    let _e711 = bitcast<f32>((bitcast<u32>(_e706) & 2147483647u));
+                                    let _e714 = bitcast<f32>((bitcast<u32>(_e707) & 2147483647u));
+                                    let _e716 = select(_e714, _e711, (_e711 > _e714));
+                                    let _e719 = bitcast<f32>((bitcast<u32>(_e708) & 2147483647u));
+                                    let _e721 = select(_e719, _e716, (_e716 > _e719));
+                                    if (_e721 < 0.000000000000000000000000000000000000011754944f) {
+                                        phi_1026_ = vec3<f32>(0f, 0f, 0f);
+                                    } else {
+                                        let _e724 = (bitcast<u32>(_e721) & 2147483647u);
+                                        let _e725 = (_e724 >= 8388608u);
+                                        if _e725 {
+                                            phi_976_ = (bitcast<i32>((_e724 >> bitcast<u32>(23i))) - 127i);
+                                        } else {
+                                            phi_976_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e724)), 32u, (_e724 == 0u))));
+                                        }
+                                        let _e738 = phi_976_;
+                                        let _e745 = bitcast<f32>((bitcast<u32>(((_e738 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                        if _e725 {
+                                            phi_1007_ = (bitcast<i32>((_e724 >> bitcast<u32>(23i))) - 127i);
+                                        } else {
+                                            phi_1007_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e724)), 32u, (_e724 == 0u))));
+                                        }
+                                        let _e761 = phi_1007_;
+                                        let _e767 = bitcast<f32>((bitcast<u32>((((_e738 / 2i) - _e761) + 127i)) << bitcast<u32>(23i)));
+                                        let _e768 = ((_e706 * _e745) * _e767);
+                                        let _e769 = ((_e707 * _e745) * _e767);
+                                        let _e770 = ((_e708 * _e745) * _e767);
+                                        let _e776 = sqrt((((_e768 * _e768) + (_e769 * _e769)) + (_e770 * _e770)));
+                                        phi_1026_ = vec3<f32>((_e768 / _e776), (_e769 / _e776), (_e770 / _e776));
+                                    }
+                                    let _e782 = phi_1026_;
+                                    let _e797 = select((_e670 * _e680), (_e782 * _e680), vec3((((((_e782.x * _e680) * _e681) + ((_e782.y * _e680) * _e682)) + ((_e782.z * _e680) * _e683)) > 0f)));
+                                    let _e798 = (_e83.member_3 < arrayLength((&global_5.member)));
+                                    if _e798 {
+                                        if _e798 {
+                                        } else {
+                                            break;
+                                        }
+                                        let _e801 = global_5.member[_e83.member_3];
+                                        phi_1056_ = _e801;
+                                    } else {
+                                        phi_1056_ = 0u;
+                                    }
+                                    let _e803 = phi_1056_;
+                                    let _e805 = select(_e803, 0u, (_e803 >= _e63));
+                                    if (_e805 < _e63) {
                                     } else {
                                         break;
                                     }
-                                    let _e641 = global_6.member[_e637];
-                                    if (0u < _e59) {
+                                    let _e809 = global_6.member[_e805];
+                                    if (0u < _e65) {
                                     } else {
                                         break;
                                     }
-                                    let _e646 = global_7.member[0u].member;
-                                    let _e655 = (_e641.member_2 > 0f);
-                                    if _e655 {
-                                        phi_796_ = _e641.member_2;
+                                    let _e814 = global_7.member[0u].member;
+                                    let _e823 = (_e809.member_2 > 0f);
+                                    if _e823 {
+                                        phi_1090_ = _e809.member_2;
                                     } else {
-                                        phi_796_ = _e641.member_1;
+                                        phi_1090_ = _e809.member_1;
                                     }
-                                    let _e658 = phi_796_;
-                                    let _e660 = ((1f - _e658) * 0.31830987f);
-                                    let _e681 = array<f32, 3>((_e74.member_3[0] + ((_e646[0] * (_e641.member[0] * _e660)) * _e74.member_1[0])), (_e74.member_3[1] + ((_e646[1] * (_e641.member[1] * _e660)) * _e74.member_1[1])), (_e74.member_3[2] + ((_e646[2] * (_e641.member[2] * _e660)) * _e74.member_1[2])));
-                                    if _e655 {
-                                        phi_833_ = _e641.member_2;
+                                    let _e826 = phi_1090_;
+                                    let _e828 = ((1f - _e826) * 0.31830987f);
+                                    let _e849 = array<f32, 3>((_e80.member_3[0] + ((_e814[0] * (_e809.member[0] * _e828)) * _e80.member_1[0])), (_e80.member_3[1] + ((_e814[1] * (_e809.member[1] * _e828)) * _e80.member_1[1])), (_e80.member_3[2] + ((_e814[2] * (_e809.member[2] * _e828)) * _e80.member_1[2])));
+                                    if _e823 {
+                                        phi_1127_ = _e809.member_2;
                                     } else {
-                                        phi_833_ = _e641.member_1;
+                                        phi_1127_ = _e809.member_1;
                                     }
-                                    let _e687 = phi_833_;
-                                    if (_e687 <= 0f) {
-                                        phi_1482_ = type_33(type_32(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e74.member_1, _e74.member_2, _e681, _e74.member_4);
+                                    let _e855 = phi_1127_;
+                                    if (_e855 <= 0f) {
+                                        phi_1776_ = type_33(type_32(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e80.member_1, _e80.member_2, _e849, _e80.member_4);
                                     } else {
-                                        if _e655 {
-                                            if (_e512 > 0f) {
-                                                phi_855_ = (1f / _e641.member_3);
+                                        if _e823 {
+                                            if (_e680 > 0f) {
+                                                phi_1149_ = (1f / _e809.member_3);
                                             } else {
-                                                phi_855_ = _e641.member_3;
+                                                phi_1149_ = _e809.member_3;
                                             }
-                                            let _e698 = phi_855_;
-                                            let _e701 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[0]) & 2147483647u));
-                                            let _e704 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[1]) & 2147483647u));
-                                            let _e706 = select(_e704, _e701, (_e701 > _e704));
-                                            let _e709 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[2]) & 2147483647u));
-                                            let _e711 = select(_e709, _e706, (_e706 > _e709));
-                                            if (_e711 < 0.000000000000000000000000000000000000011754944f) {
-                                                phi_944_ = vec3<f32>(0f, 0f, 0f);
+                                            let _e866 = phi_1149_;
+                                            let _e869 = bitcast<f32>((bitcast<u32>(_e80.member.member_2[0]) & 2147483647u));
+                                            let _e872 = bitcast<f32>((bitcast<u32>(_e80.member.member_2[1]) & 2147483647u));
+                                            let _e874 = select(_e872, _e869, (_e869 > _e872));
+                                            let _e877 = bitcast<f32>((bitcast<u32>(_e80.member.member_2[2]) & 2147483647u));
+                                            let _e879 = select(_e877, _e874, (_e874 > _e877));
+                                            if (_e879 < 0.000000000000000000000000000000000000011754944f) {
+                                                phi_1238_ = vec3<f32>(0f, 0f, 0f);
                                             } else {
-                                                let _e714 = (bitcast<u32>(_e711) & 2147483647u);
-                                                let _e715 = (_e714 >= 8388608u);
-                                                if _e715 {
-                                                    phi_894_ = (bitcast<i32>((_e714 >> bitcast<u32>(23i))) - 127i);
+                                                let _e882 = (bitcast<u32>(_e879) & 2147483647u);
+                                                let _e883 = (_e882 >= 8388608u);
+                                                if _e883 {
+                                                    phi_1188_ = (bitcast<i32>((_e882 >> bitcast<u32>(23i))) - 127i);
                                                 } else {
-                                                    phi_894_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e714)), 32u, (_e714 == 0u))));
+                                                    phi_1188_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e882)), 32u, (_e882 == 0u))));
                                                 }
-                                                let _e728 = phi_894_;
-                                                let _e735 = bitcast<f32>((bitcast<u32>(((_e728 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                                if _e715 {
-                                                    phi_925_ = (bitcast<i32>((_e714 >> bitcast<u32>(23i))) - 127i);
+                                                let _e896 = phi_1188_;
+                                                let _e903 = bitcast<f32>((bitcast<u32>(((_e896 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                                if _e883 {
+                                                    phi_1219_ = (bitcast<i32>((_e882 >> bitcast<u32>(23i))) - 127i);
                                                 } else {
-                                                    phi_925_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e714)), 32u, (_e714 == 0u))));
+                                                    phi_1219_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e882)), 32u, (_e882 == 0u))));
                                                 }
-                                                let _e751 = phi_925_;
-                                                let _e757 = bitcast<f32>((bitcast<u32>((((_e728 / 2i) - _e751) + 127i)) << bitcast<u32>(23i)));
-                                                let _e758 = ((_e74.member.member_2[0] * _e735) * _e757);
-                                                let _e759 = ((_e74.member.member_2[1] * _e735) * _e757);
-                                                let _e760 = ((_e74.member.member_2[2] * _e735) * _e757);
-                                                let _e766 = sqrt((((_e758 * _e758) + (_e759 * _e759)) + (_e760 * _e760)));
-                                                phi_944_ = vec3<f32>((_e758 / _e766), (_e759 / _e766), (_e760 / _e766));
+                                                let _e919 = phi_1219_;
+                                                let _e925 = bitcast<f32>((bitcast<u32>((((_e896 / 2i) - _e919) + 127i)) << bitcast<u32>(23i)));
+                                                let _e926 = ((_e80.member.member_2[0] * _e903) * _e925);
+                                                let _e927 = ((_e80.member.member_2[1] * _e903) * _e925);
+                                                let _e928 = ((_e80.member.member_2[2] * _e903) * _e925);
+                                                let _e934 = sqrt((((_e926 * _e926) + (_e927 * _e927)) + (_e928 * _e928)));
+                                                phi_1238_ = vec3<f32>((_e926 / _e934), (_e927 / _e934), (_e928 / _e934));
                                             }
-                                            let _e772 = phi_944_;
-                                            let _e783 = (((_e629.x * _e772.x) + (_e629.y * _e772.y)) + (_e629.z * _e772.z));
-                                            let _e784 = (_e698 * _e698);
-                                            let _e788 = (1f - (_e784 * (1f - (_e783 * _e783))));
-                                            if (_e788 >= 0f) {
-                                                let _e795 = ((_e698 * _e783) + sqrt(_e788));
-                                                phi_984_ = vec3<f32>(((_e698 * _e772.x) - (_e795 * _e629.x)), ((_e698 * _e772.y) - (_e795 * _e629.y)), ((_e698 * _e772.z) - (_e795 * _e629.z)));
+                                            let _e940 = phi_1238_;
+                                            let _e951 = (((_e797.x * _e940.x) + (_e797.y * _e940.y)) + (_e797.z * _e940.z));
+                                            let _e952 = (_e866 * _e866);
+                                            let _e956 = (1f - (_e952 * (1f - (_e951 * _e951))));
+                                            if (_e956 >= 0f) {
+                                                let _e963 = ((_e866 * _e951) + sqrt(_e956));
+                                                phi_1278_ = vec3<f32>(((_e866 * _e940.x) - (_e963 * _e797.x)), ((_e866 * _e940.y) - (_e963 * _e797.y)), ((_e866 * _e940.z) - (_e963 * _e797.z)));
                                             } else {
-                                                phi_984_ = vec3<f32>(0f, 0f, 0f);
+                                                phi_1278_ = vec3<f32>(0f, 0f, 0f);
                                             }
-                                            let _e804 = phi_984_;
-                                            if ((((_e804.x * _e513) + (_e804.y * _e514)) + (_e804.z * _e515)) > 0f) {
-                                                let _e818 = (((_e513 * _e772.x) + (_e514 * _e772.y)) + (_e515 * _e772.z));
-                                                let _e822 = (1f - (_e784 * (1f - (_e818 * _e818))));
-                                                if (_e822 >= 0f) {
-                                                    let _e829 = ((_e698 * _e818) + sqrt(_e822));
-                                                    phi_1030_ = vec3<f32>(((_e698 * _e772.x) - (_e829 * _e513)), ((_e698 * _e772.y) - (_e829 * _e514)), ((_e698 * _e772.z) - (_e829 * _e515)));
+                                            let _e972 = phi_1278_;
+                                            if ((((_e972.x * _e681) + (_e972.y * _e682)) + (_e972.z * _e683)) > 0f) {
+                                                let _e986 = (((_e681 * _e940.x) + (_e682 * _e940.y)) + (_e683 * _e940.z));
+                                                let _e990 = (1f - (_e952 * (1f - (_e986 * _e986))));
+                                                if (_e990 >= 0f) {
+                                                    let _e997 = ((_e866 * _e986) + sqrt(_e990));
+                                                    phi_1324_ = vec3<f32>(((_e866 * _e940.x) - (_e997 * _e681)), ((_e866 * _e940.y) - (_e997 * _e682)), ((_e866 * _e940.z) - (_e997 * _e683)));
                                                 } else {
-                                                    phi_1030_ = vec3<f32>(0f, 0f, 0f);
+                                                    phi_1324_ = vec3<f32>(0f, 0f, 0f);
                                                 }
-                                                let _e838 = phi_1030_;
-                                                phi_1031_ = _e838;
+                                                let _e1006 = phi_1324_;
+                                                phi_1325_ = _e1006;
                                             } else {
-                                                phi_1031_ = _e804;
+                                                phi_1325_ = _e972;
                                             }
-                                            let _e840 = phi_1031_;
-                                            let _e849 = ((((_e840.x * _e513) + (_e840.y * _e514)) + (_e840.z * _e515)) < 0f);
-                                            if _e849 {
-                                                let _e850 = -(_e513);
-                                                let _e851 = -(_e514);
-                                                let _e852 = -(_e515);
-                                                let _e854 = select(_e412, _e411, (_e411 > _e412));
-                                                let _e868 = (select(_e413, _e854, (_e854 > _e413)) * ((bitcast<f32>((bitcast<u32>(_e850) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e851) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e852) & 2147483647u))));
-                                                let _e872 = (_e375 + (_e850 * _e868));
-                                                let _e873 = (_e376 + (_e851 * _e868));
-                                                let _e874 = (_e377 + (_e852 * _e868));
-                                                if (_e850 > 0f) {
-                                                    let _e895 = bitcast<u32>(_e872);
-                                                    if ((_e895 & 2147483647u) == 0u) {
-                                                        phi_1096_ = 0.000000000000000000000000000000000000000000001f;
+                                            let _e1008 = phi_1325_;
+                                            let _e1017 = ((((_e1008.x * _e681) + (_e1008.y * _e682)) + (_e1008.z * _e683)) < 0f);
+                                            if _e1017 {
+                                                let _e1018 = -(_e681);
+                                                let _e1019 = -(_e682);
+                                                let _e1020 = -(_e683);
+                                                let _e1022 = select(_e580, _e579, (_e579 > _e580));
+                                                let _e1036 = (select(_e581, _e1022, (_e1022 > _e581)) * ((bitcast<f32>((bitcast<u32>(_e1018) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1019) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u))));
+                                                let _e1040 = (_e543 + (_e1018 * _e1036));
+                                                let _e1041 = (_e544 + (_e1019 * _e1036));
+                                                let _e1042 = (_e545 + (_e1020 * _e1036));
+                                                if (_e1018 > 0f) {
+                                                    let _e1063 = bitcast<u32>(_e1040);
+                                                    if ((_e1063 & 2147483647u) == 0u) {
+                                                        phi_1390_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e895 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_1095_ = bitcast<f32>((_e895 + 1u));
+                                                        if ((_e1063 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1389_ = bitcast<f32>((_e1063 + 1u));
                                                         } else {
-                                                            phi_1095_ = bitcast<f32>((_e895 - 1u));
+                                                            phi_1389_ = bitcast<f32>((_e1063 - 1u));
                                                         }
-                                                        let _e906 = phi_1095_;
-                                                        phi_1096_ = _e906;
+                                                        let _e1074 = phi_1389_;
+                                                        phi_1390_ = _e1074;
                                                     }
-                                                    let _e908 = phi_1096_;
-                                                    phi_1122_ = _e908;
+                                                    let _e1076 = phi_1390_;
+                                                    phi_1416_ = _e1076;
                                                 } else {
-                                                    if (_e850 < 0f) {
-                                                        let _e878 = bitcast<u32>(-(_e872));
-                                                        if ((_e878 & 2147483647u) == 0u) {
-                                                            phi_1119_ = 0.000000000000000000000000000000000000000000001f;
+                                                    if (_e1018 < 0f) {
+                                                        let _e1046 = bitcast<u32>(-(_e1040));
+                                                        if ((_e1046 & 2147483647u) == 0u) {
+                                                            phi_1413_ = 0.000000000000000000000000000000000000000000001f;
                                                         } else {
-                                                            if ((_e878 >> bitcast<u32>(31i)) == 0u) {
-                                                                phi_1118_ = bitcast<f32>((_e878 + 1u));
+                                                            if ((_e1046 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_1412_ = bitcast<f32>((_e1046 + 1u));
                                                             } else {
-                                                                phi_1118_ = bitcast<f32>((_e878 - 1u));
+                                                                phi_1412_ = bitcast<f32>((_e1046 - 1u));
                                                             }
-                                                            let _e889 = phi_1118_;
-                                                            phi_1119_ = _e889;
+                                                            let _e1057 = phi_1412_;
+                                                            phi_1413_ = _e1057;
                                                         }
-                                                        let _e891 = phi_1119_;
-                                                        phi_1121_ = -(_e891);
+                                                        let _e1059 = phi_1413_;
+                                                        phi_1415_ = -(_e1059);
                                                     } else {
-                                                        phi_1121_ = _e872;
+                                                        phi_1415_ = _e1040;
                                                     }
-                                                    let _e894 = phi_1121_;
-                                                    phi_1122_ = _e894;
+                                                    let _e1062 = phi_1415_;
+                                                    phi_1416_ = _e1062;
                                                 }
-                                                let _e910 = phi_1122_;
-                                                if (_e851 > 0f) {
-                                                    let _e931 = bitcast<u32>(_e873);
-                                                    if ((_e931 & 2147483647u) == 0u) {
-                                                        phi_1144_ = 0.000000000000000000000000000000000000000000001f;
+                                                let _e1078 = phi_1416_;
+                                                if (_e1019 > 0f) {
+                                                    let _e1099 = bitcast<u32>(_e1041);
+                                                    if ((_e1099 & 2147483647u) == 0u) {
+                                                        phi_1438_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e931 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_1143_ = bitcast<f32>((_e931 + 1u));
+                                                        if ((_e1099 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1437_ = bitcast<f32>((_e1099 + 1u));
                                                         } else {
-                                                            phi_1143_ = bitcast<f32>((_e931 - 1u));
+                                                            phi_1437_ = bitcast<f32>((_e1099 - 1u));
                                                         }
-                                                        let _e942 = phi_1143_;
-                                                        phi_1144_ = _e942;
+                                                        let _e1110 = phi_1437_;
+                                                        phi_1438_ = _e1110;
                                                     }
-                                                    let _e944 = phi_1144_;
-                                                    phi_1170_ = _e944;
+                                                    let _e1112 = phi_1438_;
+                                                    phi_1464_ = _e1112;
                                                 } else {
-                                                    if (_e851 < 0f) {
-                                                        let _e914 = bitcast<u32>(-(_e873));
-                                                        if ((_e914 & 2147483647u) == 0u) {
-                                                            phi_1167_ = 0.000000000000000000000000000000000000000000001f;
+                                                    if (_e1019 < 0f) {
+                                                        let _e1082 = bitcast<u32>(-(_e1041));
+                                                        if ((_e1082 & 2147483647u) == 0u) {
+                                                            phi_1461_ = 0.000000000000000000000000000000000000000000001f;
                                                         } else {
-                                                            if ((_e914 >> bitcast<u32>(31i)) == 0u) {
-                                                                phi_1166_ = bitcast<f32>((_e914 + 1u));
+                                                            if ((_e1082 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_1460_ = bitcast<f32>((_e1082 + 1u));
                                                             } else {
-                                                                phi_1166_ = bitcast<f32>((_e914 - 1u));
+                                                                phi_1460_ = bitcast<f32>((_e1082 - 1u));
                                                             }
-                                                            let _e925 = phi_1166_;
-                                                            phi_1167_ = _e925;
+                                                            let _e1093 = phi_1460_;
+                                                            phi_1461_ = _e1093;
                                                         }
-                                                        let _e927 = phi_1167_;
-                                                        phi_1169_ = -(_e927);
+                                                        let _e1095 = phi_1461_;
+                                                        phi_1463_ = -(_e1095);
                                                     } else {
-                                                        phi_1169_ = _e873;
+                                                        phi_1463_ = _e1041;
                                                     }
-                                                    let _e930 = phi_1169_;
-                                                    phi_1170_ = _e930;
+                                                    let _e1098 = phi_1463_;
+                                                    phi_1464_ = _e1098;
                                                 }
-                                                let _e946 = phi_1170_;
-                                                if (_e852 > 0f) {
-                                                    let _e967 = bitcast<u32>(_e874);
-                                                    if ((_e967 & 2147483647u) == 0u) {
-                                                        phi_1192_ = 0.000000000000000000000000000000000000000000001f;
+                                                let _e1114 = phi_1464_;
+                                                if (_e1020 > 0f) {
+                                                    let _e1135 = bitcast<u32>(_e1042);
+                                                    if ((_e1135 & 2147483647u) == 0u) {
+                                                        phi_1486_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e967 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_1191_ = bitcast<f32>((_e967 + 1u));
+                                                        if ((_e1135 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1485_ = bitcast<f32>((_e1135 + 1u));
                                                         } else {
-                                                            phi_1191_ = bitcast<f32>((_e967 - 1u));
+                                                            phi_1485_ = bitcast<f32>((_e1135 - 1u));
                                                         }
-                                                        let _e978 = phi_1191_;
-                                                        phi_1192_ = _e978;
+                                                        let _e1146 = phi_1485_;
+                                                        phi_1486_ = _e1146;
                                                     }
-                                                    let _e980 = phi_1192_;
-                                                    phi_1218_ = _e980;
+                                                    let _e1148 = phi_1486_;
+                                                    phi_1512_ = _e1148;
                                                 } else {
-                                                    if (_e852 < 0f) {
-                                                        let _e950 = bitcast<u32>(-(_e874));
-                                                        if ((_e950 & 2147483647u) == 0u) {
-                                                            phi_1215_ = 0.000000000000000000000000000000000000000000001f;
+                                                    if (_e1020 < 0f) {
+                                                        let _e1118 = bitcast<u32>(-(_e1042));
+                                                        if ((_e1118 & 2147483647u) == 0u) {
+                                                            phi_1509_ = 0.000000000000000000000000000000000000000000001f;
                                                         } else {
-                                                            if ((_e950 >> bitcast<u32>(31i)) == 0u) {
-                                                                phi_1214_ = bitcast<f32>((_e950 + 1u));
+                                                            if ((_e1118 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_1508_ = bitcast<f32>((_e1118 + 1u));
                                                             } else {
-                                                                phi_1214_ = bitcast<f32>((_e950 - 1u));
+                                                                phi_1508_ = bitcast<f32>((_e1118 - 1u));
                                                             }
-                                                            let _e961 = phi_1214_;
-                                                            phi_1215_ = _e961;
+                                                            let _e1129 = phi_1508_;
+                                                            phi_1509_ = _e1129;
                                                         }
-                                                        let _e963 = phi_1215_;
-                                                        phi_1217_ = -(_e963);
+                                                        let _e1131 = phi_1509_;
+                                                        phi_1511_ = -(_e1131);
                                                     } else {
-                                                        phi_1217_ = _e874;
+                                                        phi_1511_ = _e1042;
                                                     }
-                                                    let _e966 = phi_1217_;
-                                                    phi_1218_ = _e966;
+                                                    let _e1134 = phi_1511_;
+                                                    phi_1512_ = _e1134;
                                                 }
-                                                let _e982 = phi_1218_;
-                                                phi_1221_ = type_39(vec3<f32>(_e910, _e946, _e982), _e840);
+                                                let _e1150 = phi_1512_;
+                                                phi_1515_ = type_39(vec3<f32>(_e1078, _e1114, _e1150), _e1008);
                                             } else {
-                                                phi_1221_ = type_39();
+                                                phi_1515_ = type_39();
                                             }
-                                            let _e986 = phi_1221_;
-                                            phi_1223_ = _e986;
-                                            phi_1224_ = select(true, false, _e849);
+                                            let _e1154 = phi_1515_;
+                                            phi_1517_ = _e1154;
+                                            phi_1518_ = select(true, false, _e1017);
                                         } else {
-                                            phi_1223_ = type_39();
-                                            phi_1224_ = true;
+                                            phi_1517_ = type_39();
+                                            phi_1518_ = true;
                                         }
-                                        let _e989 = phi_1223_;
-                                        let _e991 = phi_1224_;
-                                        if _e991 {
-                                            let _e993 = select(_e412, _e411, (_e411 > _e412));
-                                            let _e1007 = (select(_e413, _e993, (_e993 > _e413)) * ((bitcast<f32>((bitcast<u32>(_e513) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e514) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e515) & 2147483647u))));
-                                            let _e1011 = (_e375 + (_e513 * _e1007));
-                                            let _e1012 = (_e376 + (_e514 * _e1007));
-                                            let _e1013 = (_e377 + (_e515 * _e1007));
-                                            if (_e513 > 0f) {
-                                                let _e1034 = bitcast<u32>(_e1011);
-                                                if ((_e1034 & 2147483647u) == 0u) {
-                                                    phi_1277_ = 0.000000000000000000000000000000000000000000001f;
+                                        let _e1157 = phi_1517_;
+                                        let _e1159 = phi_1518_;
+                                        if _e1159 {
+                                            let _e1161 = select(_e580, _e579, (_e579 > _e580));
+                                            let _e1175 = (select(_e581, _e1161, (_e1161 > _e581)) * ((bitcast<f32>((bitcast<u32>(_e681) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e682) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e683) & 2147483647u))));
+                                            let _e1179 = (_e543 + (_e681 * _e1175));
+                                            let _e1180 = (_e544 + (_e682 * _e1175));
+                                            let _e1181 = (_e545 + (_e683 * _e1175));
+                                            if (_e681 > 0f) {
+                                                let _e1202 = bitcast<u32>(_e1179);
+                                                if ((_e1202 & 2147483647u) == 0u) {
+                                                    phi_1571_ = 0.000000000000000000000000000000000000000000001f;
                                                 } else {
-                                                    if ((_e1034 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_1276_ = bitcast<f32>((_e1034 + 1u));
+                                                    if ((_e1202 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_1570_ = bitcast<f32>((_e1202 + 1u));
                                                     } else {
-                                                        phi_1276_ = bitcast<f32>((_e1034 - 1u));
+                                                        phi_1570_ = bitcast<f32>((_e1202 - 1u));
                                                     }
-                                                    let _e1045 = phi_1276_;
-                                                    phi_1277_ = _e1045;
+                                                    let _e1213 = phi_1570_;
+                                                    phi_1571_ = _e1213;
                                                 }
-                                                let _e1047 = phi_1277_;
-                                                phi_1303_ = _e1047;
+                                                let _e1215 = phi_1571_;
+                                                phi_1597_ = _e1215;
                                             } else {
-                                                if (_e513 < 0f) {
-                                                    let _e1017 = bitcast<u32>(-(_e1011));
-                                                    if ((_e1017 & 2147483647u) == 0u) {
-                                                        phi_1300_ = 0.000000000000000000000000000000000000000000001f;
+                                                if (_e681 < 0f) {
+                                                    let _e1185 = bitcast<u32>(-(_e1179));
+                                                    if ((_e1185 & 2147483647u) == 0u) {
+                                                        phi_1594_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e1017 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_1299_ = bitcast<f32>((_e1017 + 1u));
+                                                        if ((_e1185 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1593_ = bitcast<f32>((_e1185 + 1u));
                                                         } else {
-                                                            phi_1299_ = bitcast<f32>((_e1017 - 1u));
+                                                            phi_1593_ = bitcast<f32>((_e1185 - 1u));
                                                         }
-                                                        let _e1028 = phi_1299_;
-                                                        phi_1300_ = _e1028;
+                                                        let _e1196 = phi_1593_;
+                                                        phi_1594_ = _e1196;
                                                     }
-                                                    let _e1030 = phi_1300_;
-                                                    phi_1302_ = -(_e1030);
+                                                    let _e1198 = phi_1594_;
+                                                    phi_1596_ = -(_e1198);
                                                 } else {
-                                                    phi_1302_ = _e1011;
+                                                    phi_1596_ = _e1179;
                                                 }
-                                                let _e1033 = phi_1302_;
-                                                phi_1303_ = _e1033;
+                                                let _e1201 = phi_1596_;
+                                                phi_1597_ = _e1201;
                                             }
-                                            let _e1049 = phi_1303_;
-                                            if (_e514 > 0f) {
-                                                let _e1070 = bitcast<u32>(_e1012);
-                                                if ((_e1070 & 2147483647u) == 0u) {
-                                                    phi_1325_ = 0.000000000000000000000000000000000000000000001f;
+                                            let _e1217 = phi_1597_;
+                                            if (_e682 > 0f) {
+                                                let _e1238 = bitcast<u32>(_e1180);
+                                                if ((_e1238 & 2147483647u) == 0u) {
+                                                    phi_1619_ = 0.000000000000000000000000000000000000000000001f;
                                                 } else {
-                                                    if ((_e1070 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_1324_ = bitcast<f32>((_e1070 + 1u));
+                                                    if ((_e1238 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_1618_ = bitcast<f32>((_e1238 + 1u));
                                                     } else {
-                                                        phi_1324_ = bitcast<f32>((_e1070 - 1u));
+                                                        phi_1618_ = bitcast<f32>((_e1238 - 1u));
                                                     }
-                                                    let _e1081 = phi_1324_;
-                                                    phi_1325_ = _e1081;
+                                                    let _e1249 = phi_1618_;
+                                                    phi_1619_ = _e1249;
                                                 }
-                                                let _e1083 = phi_1325_;
-                                                phi_1351_ = _e1083;
+                                                let _e1251 = phi_1619_;
+                                                phi_1645_ = _e1251;
                                             } else {
-                                                if (_e514 < 0f) {
-                                                    let _e1053 = bitcast<u32>(-(_e1012));
-                                                    if ((_e1053 & 2147483647u) == 0u) {
-                                                        phi_1348_ = 0.000000000000000000000000000000000000000000001f;
+                                                if (_e682 < 0f) {
+                                                    let _e1221 = bitcast<u32>(-(_e1180));
+                                                    if ((_e1221 & 2147483647u) == 0u) {
+                                                        phi_1642_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e1053 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_1347_ = bitcast<f32>((_e1053 + 1u));
+                                                        if ((_e1221 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1641_ = bitcast<f32>((_e1221 + 1u));
                                                         } else {
-                                                            phi_1347_ = bitcast<f32>((_e1053 - 1u));
+                                                            phi_1641_ = bitcast<f32>((_e1221 - 1u));
                                                         }
-                                                        let _e1064 = phi_1347_;
-                                                        phi_1348_ = _e1064;
+                                                        let _e1232 = phi_1641_;
+                                                        phi_1642_ = _e1232;
                                                     }
-                                                    let _e1066 = phi_1348_;
-                                                    phi_1350_ = -(_e1066);
+                                                    let _e1234 = phi_1642_;
+                                                    phi_1644_ = -(_e1234);
                                                 } else {
-                                                    phi_1350_ = _e1012;
+                                                    phi_1644_ = _e1180;
                                                 }
-                                                let _e1069 = phi_1350_;
-                                                phi_1351_ = _e1069;
+                                                let _e1237 = phi_1644_;
+                                                phi_1645_ = _e1237;
                                             }
-                                            let _e1085 = phi_1351_;
-                                            if (_e515 > 0f) {
-                                                let _e1106 = bitcast<u32>(_e1013);
-                                                if ((_e1106 & 2147483647u) == 0u) {
-                                                    phi_1373_ = 0.000000000000000000000000000000000000000000001f;
+                                            let _e1253 = phi_1645_;
+                                            if (_e683 > 0f) {
+                                                let _e1274 = bitcast<u32>(_e1181);
+                                                if ((_e1274 & 2147483647u) == 0u) {
+                                                    phi_1667_ = 0.000000000000000000000000000000000000000000001f;
                                                 } else {
-                                                    if ((_e1106 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_1372_ = bitcast<f32>((_e1106 + 1u));
+                                                    if ((_e1274 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_1666_ = bitcast<f32>((_e1274 + 1u));
                                                     } else {
-                                                        phi_1372_ = bitcast<f32>((_e1106 - 1u));
+                                                        phi_1666_ = bitcast<f32>((_e1274 - 1u));
                                                     }
-                                                    let _e1117 = phi_1372_;
-                                                    phi_1373_ = _e1117;
+                                                    let _e1285 = phi_1666_;
+                                                    phi_1667_ = _e1285;
                                                 }
-                                                let _e1119 = phi_1373_;
-                                                phi_1399_ = _e1119;
+                                                let _e1287 = phi_1667_;
+                                                phi_1693_ = _e1287;
                                             } else {
-                                                if (_e515 < 0f) {
-                                                    let _e1089 = bitcast<u32>(-(_e1013));
-                                                    if ((_e1089 & 2147483647u) == 0u) {
-                                                        phi_1396_ = 0.000000000000000000000000000000000000000000001f;
+                                                if (_e683 < 0f) {
+                                                    let _e1257 = bitcast<u32>(-(_e1181));
+                                                    if ((_e1257 & 2147483647u) == 0u) {
+                                                        phi_1690_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e1089 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_1395_ = bitcast<f32>((_e1089 + 1u));
+                                                        if ((_e1257 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1689_ = bitcast<f32>((_e1257 + 1u));
                                                         } else {
-                                                            phi_1395_ = bitcast<f32>((_e1089 - 1u));
+                                                            phi_1689_ = bitcast<f32>((_e1257 - 1u));
                                                         }
-                                                        let _e1100 = phi_1395_;
-                                                        phi_1396_ = _e1100;
+                                                        let _e1268 = phi_1689_;
+                                                        phi_1690_ = _e1268;
                                                     }
-                                                    let _e1102 = phi_1396_;
-                                                    phi_1398_ = -(_e1102);
+                                                    let _e1270 = phi_1690_;
+                                                    phi_1692_ = -(_e1270);
                                                 } else {
-                                                    phi_1398_ = _e1013;
+                                                    phi_1692_ = _e1181;
                                                 }
-                                                let _e1105 = phi_1398_;
-                                                phi_1399_ = _e1105;
+                                                let _e1273 = phi_1692_;
+                                                phi_1693_ = _e1273;
                                             }
-                                            let _e1121 = phi_1399_;
-                                            let _e1131 = (2f * (((_e74.member.member_2[0] * _e629.x) + (_e74.member.member_2[1] * _e629.y)) + (_e74.member.member_2[2] * _e629.z)));
-                                            let _e1135 = (_e74.member.member_2[0] - (_e629.x * _e1131));
-                                            let _e1136 = (_e74.member.member_2[1] - (_e629.y * _e1131));
-                                            let _e1137 = (_e74.member.member_2[2] - (_e629.z * _e1131));
-                                            if ((((_e1135 * _e513) + (_e1136 * _e514)) + (_e1137 * _e515)) > 0f) {
-                                                phi_1442_ = vec3<f32>(_e1135, _e1136, _e1137);
+                                            let _e1289 = phi_1693_;
+                                            let _e1299 = (2f * (((_e80.member.member_2[0] * _e797.x) + (_e80.member.member_2[1] * _e797.y)) + (_e80.member.member_2[2] * _e797.z)));
+                                            let _e1303 = (_e80.member.member_2[0] - (_e797.x * _e1299));
+                                            let _e1304 = (_e80.member.member_2[1] - (_e797.y * _e1299));
+                                            let _e1305 = (_e80.member.member_2[2] - (_e797.z * _e1299));
+                                            if ((((_e1303 * _e681) + (_e1304 * _e682)) + (_e1305 * _e683)) > 0f) {
+                                                phi_1736_ = vec3<f32>(_e1303, _e1304, _e1305);
                                             } else {
-                                                let _e1150 = (2f * (((_e74.member.member_2[0] * _e513) + (_e74.member.member_2[1] * _e514)) + (_e74.member.member_2[2] * _e515)));
-                                                phi_1442_ = vec3<f32>((_e74.member.member_2[0] - (_e513 * _e1150)), (_e74.member.member_2[1] - (_e514 * _e1150)), (_e74.member.member_2[2] - (_e515 * _e1150)));
+                                                let _e1318 = (2f * (((_e80.member.member_2[0] * _e681) + (_e80.member.member_2[1] * _e682)) + (_e80.member.member_2[2] * _e683)));
+                                                phi_1736_ = vec3<f32>((_e80.member.member_2[0] - (_e681 * _e1318)), (_e80.member.member_2[1] - (_e682 * _e1318)), (_e80.member.member_2[2] - (_e683 * _e1318)));
                                             }
-                                            let _e1159 = phi_1442_;
-                                            phi_1444_ = type_39(vec3<f32>(_e1049, _e1085, _e1121), _e1159);
+                                            let _e1327 = phi_1736_;
+                                            phi_1738_ = type_39(vec3<f32>(_e1217, _e1253, _e1289), _e1327);
                                         } else {
-                                            phi_1444_ = _e989;
+                                            phi_1738_ = _e1157;
                                         }
-                                        let _e1162 = phi_1444_;
-                                        if _e655 {
-                                            phi_1464_ = vec3<f32>((_e641.member[0] * _e641.member_2), (_e641.member[1] * _e641.member_2), (_e641.member[2] * _e641.member_2));
+                                        let _e1330 = phi_1738_;
+                                        if _e823 {
+                                            phi_1758_ = vec3<f32>((_e809.member[0] * _e809.member_2), (_e809.member[1] * _e809.member_2), (_e809.member[2] * _e809.member_2));
                                         } else {
-                                            phi_1464_ = vec3(_e641.member_1);
+                                            phi_1758_ = vec3(_e809.member_1);
                                         }
-                                        let _e1170 = phi_1464_;
-                                        phi_1482_ = type_33(type_32(array<f32, 3>(_e1162.member.x, _e1162.member.y, _e1162.member.z), 0f, array<f32, 3>(_e1162.member_1.x, _e1162.member_1.y, _e1162.member_1.z), 340282350000000000000000000000000000000f), array<f32, 3>((_e74.member_1[0] * _e1170.x), (_e74.member_1[1] * _e1170.y), (_e74.member_1[2] * _e1170.z)), _e77.member_3, _e681, _e74.member_4);
+                                        let _e1338 = phi_1758_;
+                                        phi_1776_ = type_33(type_32(array<f32, 3>(_e1330.member.x, _e1330.member.y, _e1330.member.z), 0f, array<f32, 3>(_e1330.member_1.x, _e1330.member_1.y, _e1330.member_1.z), 340282350000000000000000000000000000000f), array<f32, 3>((_e80.member_1[0] * _e1338.x), (_e80.member_1[1] * _e1338.y), (_e80.member_1[2] * _e1338.z)), _e83.member_3, _e849, _e80.member_4);
                                     }
-                                    let _e1196 = phi_1482_;
-                                    phi_1637_ = _e1196;
+                                    let _e1364 = phi_1776_;
+                                    phi_1931_ = _e1364;
                                 } else {
-                                    if (0u < _e59) {
+                                    if (0u < _e65) {
                                     } else {
                                         break;
                                     }
-                                    let _e93 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[0]) & 2147483647u));
-                                    let _e96 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[1]) & 2147483647u));
-                                    let _e98 = select(_e96, _e93, (_e93 > _e96));
-                                    let _e101 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[2]) & 2147483647u));
-                                    let _e103 = select(_e101, _e98, (_e98 > _e101));
-                                    if (_e103 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_1580_ = vec3<f32>(0f, 0f, 0f);
+                                    let _e99 = bitcast<f32>((bitcast<u32>(_e80.member.member_2[0]) & 2147483647u));
+                                    let _e102 = bitcast<f32>((bitcast<u32>(_e80.member.member_2[1]) & 2147483647u));
+                                    let _e104 = select(_e102, _e99, (_e99 > _e102));
+                                    let _e107 = bitcast<f32>((bitcast<u32>(_e80.member.member_2[2]) & 2147483647u));
+                                    let _e109 = select(_e107, _e104, (_e104 > _e107));
+                                    if (_e109 < 0.000000000000000000000000000000000000011754944f) {
+                                        phi_1874_ = vec3<f32>(0f, 0f, 0f);
                                     } else {
-                                        let _e106 = (bitcast<u32>(_e103) & 2147483647u);
-                                        let _e107 = (_e106 >= 8388608u);
-                                        if _e107 {
-                                            phi_1530_ = (bitcast<i32>((_e106 >> bitcast<u32>(23i))) - 127i);
+                                        let _e112 = (bitcast<u32>(_e109) & 2147483647u);
+                                        let _e113 = (_e112 >= 8388608u);
+                                        if _e113 {
+                                            phi_1824_ = (bitcast<i32>((_e112 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_1530_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e106)), 32u, (_e106 == 0u))));
+                                            phi_1824_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e112)), 32u, (_e112 == 0u))));
                                         }
-                                        let _e120 = phi_1530_;
-                                        let _e127 = bitcast<f32>((bitcast<u32>(((_e120 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                        if _e107 {
-                                            phi_1561_ = (bitcast<i32>((_e106 >> bitcast<u32>(23i))) - 127i);
+                                        let _e126 = phi_1824_;
+                                        let _e133 = bitcast<f32>((bitcast<u32>(((_e126 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                        if _e113 {
+                                            phi_1855_ = (bitcast<i32>((_e112 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_1561_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e106)), 32u, (_e106 == 0u))));
+                                            phi_1855_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e112)), 32u, (_e112 == 0u))));
                                         }
-                                        let _e143 = phi_1561_;
-                                        let _e149 = bitcast<f32>((bitcast<u32>((((_e120 / 2i) - _e143) + 127i)) << bitcast<u32>(23i)));
-                                        let _e150 = ((_e74.member.member_2[0] * _e127) * _e149);
-                                        let _e151 = ((_e74.member.member_2[1] * _e127) * _e149);
-                                        let _e152 = ((_e74.member.member_2[2] * _e127) * _e149);
-                                        let _e158 = sqrt((((_e150 * _e150) + (_e151 * _e151)) + (_e152 * _e152)));
-                                        phi_1580_ = vec3<f32>((_e150 / _e158), (_e151 / _e158), (_e152 / _e158));
+                                        let _e149 = phi_1855_;
+                                        let _e155 = bitcast<f32>((bitcast<u32>((((_e126 / 2i) - _e149) + 127i)) << bitcast<u32>(23i)));
+                                        let _e156 = ((_e80.member.member_2[0] * _e133) * _e155);
+                                        let _e157 = ((_e80.member.member_2[1] * _e133) * _e155);
+                                        let _e158 = ((_e80.member.member_2[2] * _e133) * _e155);
+                                        let _e164 = sqrt((((_e156 * _e156) + (_e157 * _e157)) + (_e158 * _e158)));
+                                        phi_1874_ = vec3<f32>((_e156 / _e164), (_e157 / _e164), (_e158 / _e164));
                                     }
-                                    let _e164 = phi_1580_;
-                                    let _e168 = global_7.member[0u].member_6;
-                                    let _e179 = (((_e164.x * _e168[0]) + (_e164.y * _e168[1])) + (_e164.z * _e168[2]));
-                                    let _e181 = select(0f, _e179, (_e179 > 0f));
-                                    let _e185 = global_7.member[0u].member_4;
-                                    let _e192 = global_7.member[0u].member_2;
-                                    phi_1637_ = type_33(type_32(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e74.member_1, _e74.member_2, array<f32, 3>((_e74.member_3[0] + ((_e185[0] + ((_e192[0] - _e185[0]) * _e181)) * _e74.member_1[0])), (_e74.member_3[1] + ((_e185[1] + ((_e192[1] - _e185[1]) * _e181)) * _e74.member_1[1])), (_e74.member_3[2] + ((_e185[2] + ((_e192[2] - _e185[2]) * _e181)) * _e74.member_1[2]))), _e74.member_4);
+                                    let _e170 = phi_1874_;
+                                    let _e174 = global_7.member[0u].member_6;
+                                    let _e185 = (((_e170.x * _e174[0]) + (_e170.y * _e174[1])) + (_e170.z * _e174[2]));
+                                    let _e187 = select(0f, _e185, (_e185 > 0f));
+                                    let _e191 = global_7.member[0u].member_4;
+                                    let _e198 = global_7.member[0u].member_2;
+                                    phi_1931_ = type_33(type_32(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e80.member_1, _e80.member_2, array<f32, 3>((_e80.member_3[0] + ((_e191[0] + ((_e198[0] - _e191[0]) * _e187)) * _e80.member_1[0])), (_e80.member_3[1] + ((_e191[1] + ((_e198[1] - _e191[1]) * _e187)) * _e80.member_1[1])), (_e80.member_3[2] + ((_e191[2] + ((_e198[2] - _e191[2]) * _e187)) * _e80.member_1[2]))), _e80.member_4);
                                 }
-                                let _e1198 = phi_1637_;
-                                if _e68 {
+                                let _e1366 = phi_1931_;
+                                if _e74 {
                                 } else {
                                     break;
                                 }
-                                global_9.member[_e67] = _e1198;
+                                global_9.member[_e73] = _e1366;
                             }
                         }
                     }

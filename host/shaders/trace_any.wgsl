@@ -76,1099 +76,1159 @@ var<storage, read_write> global_5: type_4;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_272_: i32;
-    var phi_273_: i32;
-    var phi_283_: bool;
-    var phi_293_: u32;
-    var phi_294_: u32;
-    var phi_296_: bool;
-    var phi_301_: u32;
-    var phi_313_: i32;
-    var phi_333_: i32;
-    var phi_351_: f32;
-    var phi_357_: f32;
-    var phi_368_: f32;
-    var phi_374_: f32;
-    var phi_397_: f32;
-    var phi_408_: f32;
-    var phi_417_: f32;
-    var phi_423_: f32;
-    var phi_434_: f32;
-    var phi_440_: f32;
-    var phi_463_: f32;
-    var phi_474_: f32;
+    var phi_274_: i32;
+    var phi_275_: i32;
+    var phi_285_: bool;
+    var phi_295_: u32;
+    var phi_296_: u32;
+    var phi_298_: bool;
+    var phi_303_: u32;
+    var phi_315_: i32;
+    var phi_335_: i32;
+    var phi_353_: f32;
+    var phi_359_: f32;
+    var phi_399_: f32;
+    var phi_405_: f32;
+    var phi_457_: f32;
+    var phi_468_: f32;
+    var phi_477_: f32;
     var phi_483_: f32;
-    var phi_489_: f32;
-    var phi_500_: f32;
-    var phi_506_: f32;
+    var phi_523_: f32;
     var phi_529_: f32;
-    var phi_540_: f32;
-    var phi_640_: f32;
-    var phi_641_: f32;
-    var phi_2212_: bool;
-    var phi_652_: type_46;
-    var phi_655_: u32;
-    var phi_657_: u32;
-    var phi_659_: bool;
-    var phi_661_: u32;
-    var phi_672_: bool;
-    var phi_704_: u32;
-    var phi_705_: bool;
-    var phi_706_: u32;
-    var phi_1770_: type_42;
-    var phi_2114_: u32;
-    var phi_2142_: u32;
-    var phi_2143_: u32;
-    var phi_2144_: u32;
-    var phi_2146_: u32;
-    var phi_2147_: u32;
-    var phi_2148_: bool;
-    var phi_2157_: u32;
-    var phi_2162_: u32;
-    var phi_2163_: bool;
-    var phi_721_: type_46;
-    var phi_724_: type_7;
-    var phi_725_: type_7;
-    var phi_747_: type_7;
-    var phi_768_: u32;
-    var phi_857_: array<array<f32, 3>, 3>;
-    var phi_974_: bool;
-    var phi_1003_: bool;
-    var phi_1404_: f32;
-    var phi_1405_: f32;
-    var phi_1406_: f32;
-    var phi_1407_: f32;
-    var phi_1408_: vec3<f32>;
-    var phi_1409_: vec3<f32>;
-    var phi_1410_: vec3<f32>;
-    var phi_1411_: vec3<f32>;
-    var phi_1442_: bool;
-    var phi_1451_: vec3<f32>;
-    var phi_1616_: f32;
-    var phi_1618_: f32;
-    var phi_1619_: bool;
-    var phi_1639_: f32;
-    var phi_1640_: f32;
-    var phi_1663_: type_26;
-    var phi_1665_: type_26;
-    var phi_1666_: bool;
-    var phi_1670_: type_26;
-    var phi_1671_: type_26;
-    var phi_1672_: type_26;
-    var phi_1673_: bool;
-    var phi_1677_: type_26;
-    var phi_1678_: bool;
-    var phi_1679_: type_26;
-    var phi_1680_: bool;
-    var phi_1681_: bool;
-    var phi_1682_: type_26;
-    var phi_1683_: bool;
-    var phi_1684_: bool;
-    var phi_1692_: type_26;
-    var phi_1693_: bool;
-    var phi_1697_: type_26;
-    var phi_1708_: type_46;
-    var phi_1709_: type_46;
-    var phi_722_: type_46;
-    var phi_2206_: bool;
+    var phi_581_: f32;
+    var phi_592_: f32;
+    var phi_601_: f32;
+    var phi_607_: f32;
+    var phi_647_: f32;
+    var phi_653_: f32;
+    var phi_705_: f32;
+    var phi_716_: f32;
+    var phi_771_: i32;
+    var phi_793_: u32;
+    var phi_794_: u32;
+    var phi_831_: i32;
+    var phi_853_: u32;
+    var phi_854_: u32;
+    var phi_862_: f32;
+    var phi_863_: f32;
+    var phi_2434_: bool;
+    var phi_874_: type_46;
+    var phi_877_: u32;
+    var phi_879_: u32;
+    var phi_881_: bool;
+    var phi_883_: u32;
+    var phi_894_: bool;
+    var phi_926_: u32;
+    var phi_927_: bool;
+    var phi_928_: u32;
+    var phi_1992_: type_42;
+    var phi_2336_: u32;
+    var phi_2364_: u32;
+    var phi_2365_: u32;
+    var phi_2366_: u32;
+    var phi_2368_: u32;
+    var phi_2369_: u32;
+    var phi_2370_: bool;
+    var phi_2379_: u32;
+    var phi_2384_: u32;
+    var phi_2385_: bool;
+    var phi_943_: type_46;
+    var phi_946_: type_7;
+    var phi_947_: type_7;
+    var phi_969_: type_7;
+    var phi_990_: u32;
+    var phi_1079_: array<array<f32, 3>, 3>;
+    var phi_1196_: bool;
+    var phi_1225_: bool;
+    var phi_1626_: f32;
+    var phi_1627_: f32;
+    var phi_1628_: f32;
+    var phi_1629_: f32;
+    var phi_1630_: vec3<f32>;
+    var phi_1631_: vec3<f32>;
+    var phi_1632_: vec3<f32>;
+    var phi_1633_: vec3<f32>;
+    var phi_1664_: bool;
+    var phi_1673_: vec3<f32>;
+    var phi_1838_: f32;
+    var phi_1840_: f32;
+    var phi_1841_: bool;
+    var phi_1861_: f32;
+    var phi_1862_: f32;
+    var phi_1885_: type_26;
+    var phi_1887_: type_26;
+    var phi_1888_: bool;
+    var phi_1892_: type_26;
+    var phi_1893_: type_26;
+    var phi_1894_: type_26;
+    var phi_1895_: bool;
+    var phi_1899_: type_26;
+    var phi_1900_: bool;
+    var phi_1901_: type_26;
+    var phi_1902_: bool;
+    var phi_1903_: bool;
+    var phi_1904_: type_26;
+    var phi_1905_: bool;
+    var phi_1906_: bool;
+    var phi_1914_: type_26;
+    var phi_1915_: bool;
+    var phi_1919_: type_26;
+    var phi_1930_: type_46;
+    var phi_1931_: type_46;
+    var phi_944_: type_46;
+    var phi_2428_: bool;
     var local_2: type_46;
-    var phi_2349_: bool;
-    var phi_2165_: type_46;
-    var phi_2166_: u32;
-    var phi_2167_: bool;
-    var phi_2168_: u32;
-    var phi_2348_: bool;
-    var phi_2169_: type_46;
-    var phi_2170_: u32;
-    var phi_2171_: u32;
-    var phi_2172_: bool;
-    var phi_2173_: u32;
-    var phi_2347_: bool;
-    var phi_2174_: type_46;
-    var phi_2175_: u32;
-    var phi_2176_: u32;
-    var phi_2177_: bool;
-    var phi_2178_: u32;
-    var phi_2346_: bool;
-    var phi_653_: type_46;
-    var phi_656_: u32;
-    var phi_658_: u32;
-    var phi_660_: bool;
-    var phi_662_: u32;
-    var phi_2179_: bool;
-    var phi_2345_: bool;
+    var phi_2589_: bool;
+    var phi_2387_: type_46;
+    var phi_2388_: u32;
+    var phi_2389_: bool;
+    var phi_2390_: u32;
+    var phi_2588_: bool;
+    var phi_2391_: type_46;
+    var phi_2392_: u32;
+    var phi_2393_: u32;
+    var phi_2394_: bool;
+    var phi_2395_: u32;
+    var phi_2587_: bool;
+    var phi_2396_: type_46;
+    var phi_2397_: u32;
+    var phi_2398_: u32;
+    var phi_2399_: bool;
+    var phi_2400_: u32;
+    var phi_2586_: bool;
+    var phi_875_: type_46;
+    var phi_878_: u32;
+    var phi_880_: u32;
+    var phi_882_: bool;
+    var phi_884_: u32;
+    var phi_2401_: bool;
+    var phi_2585_: bool;
     var local_3: type_46;
     var local_4: type_46;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e65 = global;
-            let _e67 = arrayLength((&global_2.member));
-            let _e69 = arrayLength((&global_3.member));
-            let _e77 = (_e65.x + (_e65.y * 2097152u));
-            let _e80 = global_1.member[0u];
-            let _e81 = bitcast<i32>(_e80);
-            let _e82 = (_e77 < arrayLength((&global_4.member)));
-            if _e82 {
-                let _e83 = (_e77 < arrayLength((&global_5.member)));
-                if _e83 {
-                    if _e82 {
+            let _e69 = global;
+            let _e71 = arrayLength((&global_2.member));
+            let _e73 = arrayLength((&global_3.member));
+            let _e81 = (_e69.x + (_e69.y * 2097152u));
+            let _e84 = global_1.member[0u];
+            let _e85 = bitcast<i32>(_e84);
+            let _e86 = (_e81 < arrayLength((&global_4.member)));
+            if _e86 {
+                let _e87 = (_e81 < arrayLength((&global_5.member)));
+                if _e87 {
+                    if _e86 {
                     } else {
                         break;
                     }
-                    let _e91 = global_4.member[_e77].member_2[0u];
-                    let _e93 = (bitcast<u32>(_e91) & 2147483647u);
-                    let _e98 = global_4.member[_e77].member_2[1u];
-                    let _e100 = (bitcast<u32>(_e98) & 2147483647u);
-                    let _e105 = global_4.member[_e77].member_2[2u];
-                    let _e107 = (bitcast<u32>(_e105) & 2147483647u);
-                    let _e112 = global_4.member[_e77].member[0u];
-                    let _e114 = (bitcast<u32>(_e112) & 2147483647u);
-                    let _e119 = global_4.member[_e77].member[1u];
-                    let _e121 = (bitcast<u32>(_e119) & 2147483647u);
-                    let _e126 = global_4.member[_e77].member[2u];
-                    let _e128 = (bitcast<u32>(_e126) & 2147483647u);
-                    let _e130 = select(_e100, _e93, (_e100 < _e93));
-                    let _e132 = select(_e107, _e130, (_e107 < _e130));
-                    let _e134 = select(_e114, _e132, (_e114 < _e132));
-                    let _e136 = select(_e121, _e134, (_e121 < _e134));
-                    let _e138 = select(_e128, _e136, (_e128 < _e136));
-                    let _e142 = global_4.member[_e77].member_1;
-                    let _e144 = (bitcast<u32>(_e142) & 2147483647u);
-                    let _e151 = global_4.member[_e77].member_3;
-                    let _e157 = (((select(_e144, _e138, (_e144 < _e138)) < 2139095040u) && ((bitcast<u32>(_e151) & 2147483647u) <= 2139095040u)) && (_e132 > 0u));
-                    if _e157 {
-                        let _e160 = (bitcast<u32>(bitcast<f32>(_e132)) & 2147483647u);
-                        if (_e160 >= 8388608u) {
-                            phi_272_ = (bitcast<i32>((_e160 >> bitcast<u32>(23i))) - 127i);
+                    let _e95 = global_4.member[_e81].member_2[0u];
+                    let _e97 = (bitcast<u32>(_e95) & 2147483647u);
+                    let _e102 = global_4.member[_e81].member_2[1u];
+                    let _e104 = (bitcast<u32>(_e102) & 2147483647u);
+                    let _e109 = global_4.member[_e81].member_2[2u];
+                    let _e111 = (bitcast<u32>(_e109) & 2147483647u);
+                    let _e116 = global_4.member[_e81].member[0u];
+                    let _e118 = (bitcast<u32>(_e116) & 2147483647u);
+                    let _e123 = global_4.member[_e81].member[1u];
+                    let _e125 = (bitcast<u32>(_e123) & 2147483647u);
+                    let _e130 = global_4.member[_e81].member[2u];
+                    let _e132 = (bitcast<u32>(_e130) & 2147483647u);
+                    let _e134 = select(_e104, _e97, (_e104 < _e97));
+                    let _e136 = select(_e111, _e134, (_e111 < _e134));
+                    let _e138 = select(_e118, _e136, (_e118 < _e136));
+                    let _e140 = select(_e125, _e138, (_e125 < _e138));
+                    let _e142 = select(_e132, _e140, (_e132 < _e140));
+                    let _e146 = global_4.member[_e81].member_1;
+                    let _e147 = bitcast<u32>(_e146);
+                    let _e148 = (_e147 & 2147483647u);
+                    let _e155 = global_4.member[_e81].member_3;
+                    let _e156 = bitcast<u32>(_e155);
+                    let _e157 = (_e156 & 2147483647u);
+                    let _e161 = (((select(_e148, _e142, (_e148 < _e142)) < 2139095040u) && (_e157 <= 2139095040u)) && (_e136 > 0u));
+                    if _e161 {
+                        let _e164 = (bitcast<u32>(bitcast<f32>(_e136)) & 2147483647u);
+                        if (_e164 >= 8388608u) {
+                            phi_274_ = (bitcast<i32>((_e164 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_272_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e160)), 32u, (_e160 == 0u))));
+                            phi_274_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e164)), 32u, (_e164 == 0u))));
                         }
-                        let _e174 = phi_272_;
-                        phi_273_ = _e174;
+                        let _e178 = phi_274_;
+                        phi_275_ = _e178;
                     } else {
-                        phi_273_ = 0i;
+                        phi_275_ = 0i;
                     }
-                    let _e176 = phi_273_;
-                    let _e177 = (_e93 == _e132);
-                    if _e177 {
-                        phi_283_ = true;
+                    let _e180 = phi_275_;
+                    let _e181 = (_e97 == _e136);
+                    if _e181 {
+                        phi_285_ = true;
                     } else {
-                        phi_283_ = (_e100 == _e132);
+                        phi_285_ = (_e104 == _e136);
                     }
-                    let _e180 = phi_283_;
-                    let _e181 = select(1u, 0u, _e177);
-                    if _e180 {
-                        let _e182 = (_e181 + 1u);
-                        phi_293_ = _e182;
-                        phi_294_ = _e182;
-                        phi_296_ = select(true, false, (_e182 == 2u));
+                    let _e184 = phi_285_;
+                    let _e185 = select(1u, 0u, _e181);
+                    if _e184 {
+                        let _e186 = (_e185 + 1u);
+                        phi_295_ = _e186;
+                        phi_296_ = _e186;
+                        phi_298_ = select(true, false, (_e186 == 2u));
                     } else {
-                        phi_293_ = u32();
-                        phi_294_ = 0u;
-                        phi_296_ = true;
+                        phi_295_ = u32();
+                        phi_296_ = 0u;
+                        phi_298_ = true;
                     }
-                    let _e186 = phi_293_;
-                    let _e188 = phi_294_;
-                    let _e190 = phi_296_;
-                    if _e190 {
-                        phi_301_ = (_e188 + 1u);
+                    let _e190 = phi_295_;
+                    let _e192 = phi_296_;
+                    let _e194 = phi_298_;
+                    if _e194 {
+                        phi_303_ = (_e192 + 1u);
                     } else {
-                        phi_301_ = 0u;
+                        phi_303_ = 0u;
                     }
-                    let _e194 = phi_301_;
-                    let _e195 = select(_e186, _e188, _e190);
-                    let _e196 = select(_e181, select(2u, _e181, _e180), _e190);
-                    if (_e81 < -126i) {
-                        phi_313_ = -126i;
+                    let _e198 = phi_303_;
+                    let _e199 = select(_e190, _e192, _e194);
+                    let _e200 = select(_e185, select(2u, _e185, _e184), _e194);
+                    if (_e85 < -126i) {
+                        phi_315_ = -126i;
                     } else {
-                        phi_313_ = select(_e81, 127i, (_e81 > 127i));
+                        phi_315_ = select(_e85, 127i, (_e85 > 127i));
                     }
-                    let _e201 = phi_313_;
-                    let _e206 = bitcast<f32>((bitcast<u32>((_e201 + 127i)) << bitcast<u32>(23i)));
-                    let _e212 = bitcast<f32>((bitcast<u32>(((_e81 - _e201) + 127i)) << bitcast<u32>(23i)));
-                    let _e213 = -(_e176);
-                    if (_e213 < -126i) {
-                        phi_333_ = -126i;
+                    let _e205 = phi_315_;
+                    let _e210 = bitcast<f32>((bitcast<u32>((_e205 + 127i)) << bitcast<u32>(23i)));
+                    let _e216 = bitcast<f32>((bitcast<u32>(((_e85 - _e205) + 127i)) << bitcast<u32>(23i)));
+                    let _e217 = -(_e180);
+                    if (_e217 < -126i) {
+                        phi_335_ = -126i;
                     } else {
-                        phi_333_ = select(_e213, 127i, (_e213 > 127i));
+                        phi_335_ = select(_e217, 127i, (_e217 > 127i));
                     }
-                    let _e218 = phi_333_;
-                    let _e223 = bitcast<f32>((bitcast<u32>((_e218 + 127i)) << bitcast<u32>(23i)));
-                    let _e229 = bitcast<f32>((bitcast<u32>(((_e213 - _e218) + 127i)) << bitcast<u32>(23i)));
-                    let _e233 = global_4.member[_e77].member;
-                    let _e234 = (_e195 == 0u);
-                    if _e234 {
-                        phi_351_ = _e233[0];
+                    let _e222 = phi_335_;
+                    let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
+                    let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
+                    let _e237 = global_4.member[_e81].member;
+                    let _e238 = (_e199 == 0u);
+                    if _e238 {
+                        phi_353_ = _e237[0];
                     } else {
-                        phi_351_ = _e233[1];
+                        phi_353_ = _e237[1];
                     }
-                    let _e238 = phi_351_;
-                    let _e239 = (_e195 == 2u);
-                    if _e239 {
-                        phi_357_ = _e233[2];
+                    let _e242 = phi_353_;
+                    let _e243 = (_e199 == 2u);
+                    if _e243 {
+                        phi_359_ = _e237[2];
                     } else {
-                        phi_357_ = _e238;
+                        phi_359_ = _e242;
                     }
-                    let _e242 = phi_357_;
-                    let _e244 = ((_e242 * _e206) * _e212);
-                    let _e245 = global_4.member[_e77].member_2;
-                    if _e234 {
-                        phi_368_ = _e245[0];
+                    let _e246 = phi_359_;
+                    let _e247 = bitcast<u32>(_e246);
+                    let _e249 = ((_e247 & 2139095040u) != 0u);
+                    let _e263 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e247 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e247 & 2147483648u))), _e246, _e249) * _e210) * select(0.00000011920929f, 1f, _e249)) * _e216);
+                    let _e264 = global_4.member[_e81].member_2;
+                    if _e238 {
+                        phi_399_ = _e264[0];
                     } else {
-                        phi_368_ = _e245[1];
+                        phi_399_ = _e264[1];
                     }
-                    let _e249 = phi_368_;
-                    if _e239 {
-                        phi_374_ = _e245[2];
+                    let _e268 = phi_399_;
+                    if _e243 {
+                        phi_405_ = _e264[2];
                     } else {
-                        phi_374_ = _e249;
+                        phi_405_ = _e268;
                     }
-                    let _e252 = phi_374_;
-                    let _e254 = ((_e252 * _e223) * _e229);
-                    let _e258 = (bitcast<f32>((bitcast<u32>(_e254) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e258 {
-                        let _e262 = (bitcast<f32>((bitcast<u32>(_e244) & 2147483647u)) * 0.00000011920929f);
-                        phi_397_ = select(0.00000000000011368684f, _e262, (_e262 > 0.00000000000011368684f));
+                    let _e271 = phi_405_;
+                    let _e272 = bitcast<u32>(_e271);
+                    let _e274 = ((_e272 & 2139095040u) != 0u);
+                    let _e288 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e272 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e272 & 2147483648u))), _e271, _e274) * _e227) * select(0.00000011920929f, 1f, _e274)) * _e233);
+                    let _e292 = (bitcast<f32>((bitcast<u32>(_e288) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e292 {
+                        let _e296 = (bitcast<f32>((bitcast<u32>(_e263) & 2147483647u)) * 0.00000011920929f);
+                        phi_457_ = select(0.00000000000011368684f, _e296, (_e296 > 0.00000000000011368684f));
                     } else {
-                        phi_397_ = 0f;
+                        phi_457_ = 0f;
                     }
-                    let _e266 = phi_397_;
-                    let _e267 = (_e244 + _e266);
-                    let _e268 = (_e244 - _e266);
-                    let _e269 = select(_e254, 0f, _e258);
-                    if _e258 {
-                        phi_408_ = 38685626000000000000000000f;
+                    let _e300 = phi_457_;
+                    let _e301 = (_e263 + _e300);
+                    let _e302 = (_e263 - _e300);
+                    let _e303 = select(_e288, 0f, _e292);
+                    if _e292 {
+                        phi_468_ = 38685626000000000000000000f;
                     } else {
-                        phi_408_ = (1f / _e254);
+                        phi_468_ = (1f / _e288);
                     }
-                    let _e272 = phi_408_;
-                    let _e273 = (_e194 == 0u);
-                    if _e273 {
-                        phi_417_ = _e233[0];
+                    let _e306 = phi_468_;
+                    let _e307 = (_e198 == 0u);
+                    if _e307 {
+                        phi_477_ = _e237[0];
                     } else {
-                        phi_417_ = _e233[1];
+                        phi_477_ = _e237[1];
                     }
-                    let _e277 = phi_417_;
-                    let _e278 = (_e194 == 2u);
-                    if _e278 {
-                        phi_423_ = _e233[2];
+                    let _e311 = phi_477_;
+                    let _e312 = (_e198 == 2u);
+                    if _e312 {
+                        phi_483_ = _e237[2];
                     } else {
-                        phi_423_ = _e277;
-                    }
-                    let _e281 = phi_423_;
-                    let _e283 = ((_e281 * _e206) * _e212);
-                    if _e273 {
-                        phi_434_ = _e245[0];
-                    } else {
-                        phi_434_ = _e245[1];
-                    }
-                    let _e287 = phi_434_;
-                    if _e278 {
-                        phi_440_ = _e245[2];
-                    } else {
-                        phi_440_ = _e287;
-                    }
-                    let _e290 = phi_440_;
-                    let _e292 = ((_e290 * _e223) * _e229);
-                    let _e296 = (bitcast<f32>((bitcast<u32>(_e292) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e296 {
-                        let _e300 = (bitcast<f32>((bitcast<u32>(_e283) & 2147483647u)) * 0.00000011920929f);
-                        phi_463_ = select(0.00000000000011368684f, _e300, (_e300 > 0.00000000000011368684f));
-                    } else {
-                        phi_463_ = 0f;
-                    }
-                    let _e304 = phi_463_;
-                    let _e305 = (_e283 + _e304);
-                    let _e306 = (_e283 - _e304);
-                    let _e307 = select(_e292, 0f, _e296);
-                    if _e296 {
-                        phi_474_ = 38685626000000000000000000f;
-                    } else {
-                        phi_474_ = (1f / _e292);
-                    }
-                    let _e310 = phi_474_;
-                    let _e311 = (_e196 == 0u);
-                    if _e311 {
-                        phi_483_ = _e233[0];
-                    } else {
-                        phi_483_ = _e233[1];
+                        phi_483_ = _e311;
                     }
                     let _e315 = phi_483_;
-                    let _e316 = (_e196 == 2u);
-                    if _e316 {
-                        phi_489_ = _e233[2];
+                    let _e316 = bitcast<u32>(_e315);
+                    let _e318 = ((_e316 & 2139095040u) != 0u);
+                    let _e332 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e316 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e316 & 2147483648u))), _e315, _e318) * _e210) * select(0.00000011920929f, 1f, _e318)) * _e216);
+                    if _e307 {
+                        phi_523_ = _e264[0];
                     } else {
-                        phi_489_ = _e315;
+                        phi_523_ = _e264[1];
                     }
-                    let _e319 = phi_489_;
-                    let _e321 = ((_e319 * _e206) * _e212);
-                    if _e311 {
-                        phi_500_ = _e245[0];
+                    let _e336 = phi_523_;
+                    if _e312 {
+                        phi_529_ = _e264[2];
                     } else {
-                        phi_500_ = _e245[1];
+                        phi_529_ = _e336;
                     }
-                    let _e325 = phi_500_;
-                    if _e316 {
-                        phi_506_ = _e245[2];
+                    let _e339 = phi_529_;
+                    let _e340 = bitcast<u32>(_e339);
+                    let _e342 = ((_e340 & 2139095040u) != 0u);
+                    let _e356 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e340 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e340 & 2147483648u))), _e339, _e342) * _e227) * select(0.00000011920929f, 1f, _e342)) * _e233);
+                    let _e360 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e360 {
+                        let _e364 = (bitcast<f32>((bitcast<u32>(_e332) & 2147483647u)) * 0.00000011920929f);
+                        phi_581_ = select(0.00000000000011368684f, _e364, (_e364 > 0.00000000000011368684f));
                     } else {
-                        phi_506_ = _e325;
+                        phi_581_ = 0f;
                     }
-                    let _e328 = phi_506_;
-                    let _e330 = ((_e328 * _e223) * _e229);
-                    let _e334 = (bitcast<f32>((bitcast<u32>(_e330) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e334 {
-                        let _e338 = (bitcast<f32>((bitcast<u32>(_e321) & 2147483647u)) * 0.00000011920929f);
-                        phi_529_ = select(0.00000000000011368684f, _e338, (_e338 > 0.00000000000011368684f));
+                    let _e368 = phi_581_;
+                    let _e369 = (_e332 + _e368);
+                    let _e370 = (_e332 - _e368);
+                    let _e371 = select(_e356, 0f, _e360);
+                    if _e360 {
+                        phi_592_ = 38685626000000000000000000f;
                     } else {
-                        phi_529_ = 0f;
+                        phi_592_ = (1f / _e356);
                     }
-                    let _e342 = phi_529_;
-                    let _e343 = (_e321 + _e342);
-                    let _e344 = (_e321 - _e342);
-                    let _e345 = select(_e330, 0f, _e334);
-                    if _e334 {
-                        phi_540_ = 38685626000000000000000000f;
+                    let _e374 = phi_592_;
+                    let _e375 = (_e200 == 0u);
+                    if _e375 {
+                        phi_601_ = _e237[0];
                     } else {
-                        phi_540_ = (1f / _e330);
+                        phi_601_ = _e237[1];
                     }
-                    let _e348 = phi_540_;
-                    let _e351 = bitcast<f32>((bitcast<u32>(_e244) & 2147483647u));
-                    let _e354 = bitcast<f32>((bitcast<u32>(_e283) & 2147483647u));
-                    let _e356 = select(_e354, _e351, (_e351 > _e354));
-                    let _e359 = bitcast<f32>((bitcast<u32>(_e321) & 2147483647u));
-                    let _e362 = (_e81 + _e176);
-                    if (_e157 && (select(_e359, _e356, (_e356 > _e359)) <= 1099511600000f)) {
-                        let _e365 = (_e362 / 3i);
-                        let _e372 = bitcast<f32>((bitcast<u32>((_e365 + 127i)) << bitcast<u32>(23i)));
-                        let _e379 = bitcast<f32>((bitcast<u32>(((_e362 - (2i * _e365)) + 127i)) << bitcast<u32>(23i)));
-                        let _e380 = (((_e142 * _e372) * _e372) * _e379);
-                        let _e382 = select(340282350000000000000000000000000000000f, _e380, (_e380 < 340282350000000000000000000000000000000f));
-                        let _e387 = (((_e151 * _e372) * _e372) * _e379);
-                        let _e389 = select(340282350000000000000000000000000000000f, _e387, (_e387 < 340282350000000000000000000000000000000f));
-                        phi_640_ = select(-340282350000000000000000000000000000000f, _e389, (_e389 > -340282350000000000000000000000000000000f));
-                        phi_641_ = select(-340282350000000000000000000000000000000f, _e382, (_e382 > -340282350000000000000000000000000000000f));
+                    let _e379 = phi_601_;
+                    let _e380 = (_e200 == 2u);
+                    if _e380 {
+                        phi_607_ = _e237[2];
                     } else {
-                        phi_640_ = 0f;
-                        phi_641_ = 1f;
+                        phi_607_ = _e379;
                     }
-                    let _e393 = phi_640_;
-                    let _e395 = phi_641_;
+                    let _e383 = phi_607_;
+                    let _e384 = bitcast<u32>(_e383);
+                    let _e386 = ((_e384 & 2139095040u) != 0u);
+                    let _e400 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e383, _e386) * _e210) * select(0.00000011920929f, 1f, _e386)) * _e216);
+                    if _e375 {
+                        phi_647_ = _e264[0];
+                    } else {
+                        phi_647_ = _e264[1];
+                    }
+                    let _e404 = phi_647_;
+                    if _e380 {
+                        phi_653_ = _e264[2];
+                    } else {
+                        phi_653_ = _e404;
+                    }
+                    let _e407 = phi_653_;
+                    let _e408 = bitcast<u32>(_e407);
+                    let _e410 = ((_e408 & 2139095040u) != 0u);
+                    let _e424 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e408 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e408 & 2147483648u))), _e407, _e410) * _e227) * select(0.00000011920929f, 1f, _e410)) * _e233);
+                    let _e428 = (bitcast<f32>((bitcast<u32>(_e424) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e428 {
+                        let _e432 = (bitcast<f32>((bitcast<u32>(_e400) & 2147483647u)) * 0.00000011920929f);
+                        phi_705_ = select(0.00000000000011368684f, _e432, (_e432 > 0.00000000000011368684f));
+                    } else {
+                        phi_705_ = 0f;
+                    }
+                    let _e436 = phi_705_;
+                    let _e437 = (_e400 + _e436);
+                    let _e438 = (_e400 - _e436);
+                    let _e439 = select(_e424, 0f, _e428);
+                    if _e428 {
+                        phi_716_ = 38685626000000000000000000f;
+                    } else {
+                        phi_716_ = (1f / _e424);
+                    }
+                    let _e442 = phi_716_;
+                    let _e445 = bitcast<f32>((bitcast<u32>(_e263) & 2147483647u));
+                    let _e448 = bitcast<f32>((bitcast<u32>(_e332) & 2147483647u));
+                    let _e450 = select(_e448, _e445, (_e445 > _e448));
+                    let _e453 = bitcast<f32>((bitcast<u32>(_e400) & 2147483647u));
+                    let _e456 = (_e85 + _e180);
+                    if (_e161 && (select(_e453, _e450, (_e450 > _e453)) <= 1099511600000f)) {
+                        let _e466 = ((_e148 & 8388607u) | (select(0u, 1u, ((_e148 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e469 = bitcast<i32>((_e148 >> bitcast<u32>(23i)));
+                        let _e473 = (_e466 == 0u);
+                        let _e476 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e466)), 32u, _e473)) - 8i);
+                        if (_e469 == 255i) {
+                            phi_771_ = 255i;
+                        } else {
+                            phi_771_ = (((_e469 + select(0i, 1i, (_e469 == 0i))) - _e476) + _e456);
+                        }
+                        let _e484 = phi_771_;
+                        let _e494 = (_e484 <= 0i);
+                        if _e494 {
+                            phi_794_ = u32();
+                        } else {
+                            if _e473 {
+                                phi_793_ = u32();
+                            } else {
+                                phi_793_ = select(((bitcast<u32>(_e484) << bitcast<u32>(23i)) | ((_e466 << bitcast<u32>(((_e476 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e484 >= 255i));
+                            }
+                            let _e498 = phi_793_;
+                            phi_794_ = _e498;
+                        }
+                        let _e500 = phi_794_;
+                        let _e512 = ((_e157 & 8388607u) | (select(0u, 1u, ((_e157 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e515 = bitcast<i32>((_e157 >> bitcast<u32>(23i)));
+                        let _e519 = (_e512 == 0u);
+                        let _e522 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e512)), 32u, _e519)) - 8i);
+                        if (_e515 == 255i) {
+                            phi_831_ = 255i;
+                        } else {
+                            phi_831_ = (((_e515 + select(0i, 1i, (_e515 == 0i))) - _e522) + _e456);
+                        }
+                        let _e530 = phi_831_;
+                        let _e540 = (_e530 <= 0i);
+                        if _e540 {
+                            phi_854_ = u32();
+                        } else {
+                            if _e519 {
+                                phi_853_ = u32();
+                            } else {
+                                phi_853_ = select(((bitcast<u32>(_e530) << bitcast<u32>(23i)) | ((_e512 << bitcast<u32>(((_e522 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e530 >= 255i));
+                            }
+                            let _e544 = phi_853_;
+                            phi_854_ = _e544;
+                        }
+                        let _e546 = phi_854_;
+                        phi_862_ = bitcast<f32>(((_e156 & 2147483648u) | select(_e546, 0u, select(_e519, true, _e540))));
+                        phi_863_ = bitcast<f32>(((_e147 & 2147483648u) | select(_e500, 0u, select(_e473, true, _e494))));
+                    } else {
+                        phi_862_ = 0f;
+                        phi_863_ = 1f;
+                    }
+                    let _e552 = phi_862_;
+                    let _e554 = phi_863_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2212_ = false;
-                    phi_652_ = type_46(_e393, false);
-                    phi_655_ = select(0u, 2147483648u, (_e67 == 0u));
-                    phi_657_ = ((3u * _e67) + 1u);
-                    phi_659_ = (_e395 <= _e393);
-                    phi_661_ = 0u;
+                    phi_2434_ = false;
+                    phi_874_ = type_46(_e552, false);
+                    phi_877_ = select(0u, 2147483648u, (_e71 == 0u));
+                    phi_879_ = ((3u * _e71) + 1u);
+                    phi_881_ = (_e554 <= _e552);
+                    phi_883_ = 0u;
                     loop {
-                        let _e403 = phi_2212_;
-                        let _e405 = phi_652_;
-                        let _e407 = phi_655_;
-                        let _e409 = phi_657_;
-                        let _e411 = phi_659_;
-                        let _e413 = phi_661_;
-                        local_3 = _e405;
-                        if _e411 {
-                            phi_672_ = true;
+                        let _e562 = phi_2434_;
+                        let _e564 = phi_874_;
+                        let _e566 = phi_877_;
+                        let _e568 = phi_879_;
+                        let _e570 = phi_881_;
+                        let _e572 = phi_883_;
+                        local_3 = _e564;
+                        if _e570 {
+                            phi_894_ = true;
                         } else {
-                            phi_672_ = (_e413 > 0u);
+                            phi_894_ = (_e572 > 0u);
                         }
-                        let _e416 = phi_672_;
-                        if _e416 {
-                            let _e417 = (_e409 > 0u);
-                            if _e417 {
-                                if _e411 {
-                                    phi_704_ = _e407;
-                                    phi_705_ = _e411;
-                                    phi_706_ = _e413;
+                        let _e575 = phi_894_;
+                        if _e575 {
+                            let _e576 = (_e568 > 0u);
+                            if _e576 {
+                                if _e570 {
+                                    phi_926_ = _e566;
+                                    phi_927_ = _e570;
+                                    phi_928_ = _e572;
                                 } else {
-                                    let _e418 = (_e413 - 1u);
-                                    let _e419 = (_e418 % 128u);
-                                    let _e420 = (_e419 < 128u);
-                                    if _e420 {
+                                    let _e577 = (_e572 - 1u);
+                                    let _e578 = (_e577 % 128u);
+                                    let _e579 = (_e578 < 128u);
+                                    if _e579 {
                                     } else {
-                                        phi_2345_ = true;
+                                        phi_2585_ = true;
                                         break;
                                     }
-                                    let _e422 = local_1[_e419];
-                                    if _e420 {
+                                    let _e581 = local_1[_e578];
+                                    if _e579 {
                                     } else {
-                                        phi_2345_ = true;
+                                        phi_2585_ = true;
                                         break;
                                     }
-                                    let _e424 = local[_e419];
-                                    phi_704_ = _e422;
-                                    phi_705_ = (_e424 <= _e405.member);
-                                    phi_706_ = _e418;
+                                    let _e583 = local[_e578];
+                                    phi_926_ = _e581;
+                                    phi_927_ = (_e583 <= _e564.member);
+                                    phi_928_ = _e577;
                                 }
-                                let _e428 = phi_704_;
-                                let _e430 = phi_705_;
-                                let _e432 = phi_706_;
-                                if _e430 {
-                                    if ((_e428 & 2147483648u) != 0u) {
-                                        phi_721_ = _e405;
-                                        phi_724_ = type_7(0u, ((_e428 >> bitcast<u32>(28u)) & 7u));
+                                let _e587 = phi_926_;
+                                let _e589 = phi_927_;
+                                let _e591 = phi_928_;
+                                if _e589 {
+                                    if ((_e587 & 2147483648u) != 0u) {
+                                        phi_943_ = _e564;
+                                        phi_946_ = type_7(0u, ((_e587 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e630 = phi_721_;
-                                            let _e632 = phi_724_;
-                                            local_2 = _e630;
-                                            local_4 = _e630;
-                                            if (_e632.member < _e632.member_1) {
-                                                phi_725_ = type_7((_e632.member + 1u), _e632.member_1);
-                                                phi_747_ = type_7(1u, _e632.member);
+                                            let _e789 = phi_943_;
+                                            let _e791 = phi_946_;
+                                            local_2 = _e789;
+                                            local_4 = _e789;
+                                            if (_e791.member < _e791.member_1) {
+                                                phi_947_ = type_7((_e791.member + 1u), _e791.member_1);
+                                                phi_969_ = type_7(1u, _e791.member);
                                             } else {
-                                                phi_725_ = _e632;
-                                                phi_747_ = type_7(0u, type_7().member_1);
+                                                phi_947_ = _e791;
+                                                phi_969_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e645 = phi_725_;
-                                            let _e647 = phi_747_;
-                                            let _e651 = (bitcast<i32>(_e647.member) != 0i);
-                                            if _e651 {
-                                                let _e652 = ((_e428 & 268435455u) + _e647.member_1);
-                                                let _e653 = (_e652 < _e69);
-                                                if _e653 {
-                                                    if _e653 {
+                                            let _e804 = phi_947_;
+                                            let _e806 = phi_969_;
+                                            let _e810 = (bitcast<i32>(_e806.member) != 0i);
+                                            if _e810 {
+                                                let _e811 = ((_e587 & 268435455u) + _e806.member_1);
+                                                let _e812 = (_e811 < _e73);
+                                                if _e812 {
+                                                    if _e812 {
                                                     } else {
-                                                        phi_2206_ = true;
+                                                        phi_2428_ = true;
                                                         break;
                                                     }
-                                                    let _e657 = global_3.member[_e652].member_1;
-                                                    phi_768_ = _e657;
+                                                    let _e816 = global_3.member[_e811].member_1;
+                                                    phi_990_ = _e816;
                                                 } else {
-                                                    phi_768_ = 4294967295u;
+                                                    phi_990_ = 4294967295u;
                                                 }
-                                                let _e659 = phi_768_;
-                                                if (_e652 >= _e69) {
-                                                    phi_857_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e818 = phi_990_;
+                                                if (_e811 >= _e73) {
+                                                    phi_1079_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e653 {
+                                                    if _e812 {
                                                     } else {
-                                                        phi_2206_ = true;
+                                                        phi_2428_ = true;
                                                         break;
                                                     }
-                                                    let _e661 = (_e195 % 3u);
-                                                    let _e662 = (_e194 % 3u);
-                                                    let _e663 = (_e196 % 3u);
-                                                    if (_e661 < 9u) {
+                                                    let _e820 = (_e199 % 3u);
+                                                    let _e821 = (_e198 % 3u);
+                                                    let _e822 = (_e200 % 3u);
+                                                    if (_e820 < 9u) {
                                                     } else {
-                                                        phi_2206_ = true;
+                                                        phi_2428_ = true;
                                                         break;
                                                     }
-                                                    let _e669 = global_3.member[_e652].member[_e661];
-                                                    if (_e662 < 9u) {
+                                                    let _e828 = global_3.member[_e811].member[_e820];
+                                                    if (_e821 < 9u) {
                                                     } else {
-                                                        phi_2206_ = true;
+                                                        phi_2428_ = true;
                                                         break;
                                                     }
-                                                    let _e675 = global_3.member[_e652].member[_e662];
-                                                    if (_e663 < 9u) {
+                                                    let _e834 = global_3.member[_e811].member[_e821];
+                                                    if (_e822 < 9u) {
                                                     } else {
-                                                        phi_2206_ = true;
+                                                        phi_2428_ = true;
                                                         break;
                                                     }
-                                                    let _e681 = global_3.member[_e652].member[_e663];
-                                                    let _e683 = (3u + _e661);
-                                                    if (_e683 < 9u) {
+                                                    let _e840 = global_3.member[_e811].member[_e822];
+                                                    let _e842 = (3u + _e820);
+                                                    if (_e842 < 9u) {
                                                     } else {
-                                                        phi_2206_ = true;
+                                                        phi_2428_ = true;
                                                         break;
                                                     }
-                                                    let _e689 = global_3.member[_e652].member[_e683];
-                                                    let _e690 = (3u + _e662);
-                                                    if (_e690 < 9u) {
+                                                    let _e848 = global_3.member[_e811].member[_e842];
+                                                    let _e849 = (3u + _e821);
+                                                    if (_e849 < 9u) {
                                                     } else {
-                                                        phi_2206_ = true;
+                                                        phi_2428_ = true;
                                                         break;
                                                     }
-                                                    let _e696 = global_3.member[_e652].member[_e690];
-                                                    let _e697 = (3u + _e663);
-                                                    if (_e697 < 9u) {
+                                                    let _e855 = global_3.member[_e811].member[_e849];
+                                                    let _e856 = (3u + _e822);
+                                                    if (_e856 < 9u) {
                                                     } else {
-                                                        phi_2206_ = true;
+                                                        phi_2428_ = true;
                                                         break;
                                                     }
-                                                    let _e703 = global_3.member[_e652].member[_e697];
-                                                    let _e705 = (6u + _e661);
-                                                    if (_e705 < 9u) {
+                                                    let _e862 = global_3.member[_e811].member[_e856];
+                                                    let _e864 = (6u + _e820);
+                                                    if (_e864 < 9u) {
                                                     } else {
-                                                        phi_2206_ = true;
+                                                        phi_2428_ = true;
                                                         break;
                                                     }
-                                                    let _e711 = global_3.member[_e652].member[_e705];
-                                                    let _e712 = (6u + _e662);
-                                                    if (_e712 < 9u) {
+                                                    let _e870 = global_3.member[_e811].member[_e864];
+                                                    let _e871 = (6u + _e821);
+                                                    if (_e871 < 9u) {
                                                     } else {
-                                                        phi_2206_ = true;
+                                                        phi_2428_ = true;
                                                         break;
                                                     }
-                                                    let _e718 = global_3.member[_e652].member[_e712];
-                                                    let _e719 = (6u + _e663);
-                                                    if (_e719 < 9u) {
+                                                    let _e877 = global_3.member[_e811].member[_e871];
+                                                    let _e878 = (6u + _e822);
+                                                    if (_e878 < 9u) {
                                                     } else {
-                                                        phi_2206_ = true;
+                                                        phi_2428_ = true;
                                                         break;
                                                     }
-                                                    let _e725 = global_3.member[_e652].member[_e719];
-                                                    phi_857_ = array<array<f32, 3>, 3>(array<f32, 3>(_e669, _e675, _e681), array<f32, 3>(_e689, _e696, _e703), array<f32, 3>(_e711, _e718, _e725));
+                                                    let _e884 = global_3.member[_e811].member[_e878];
+                                                    phi_1079_ = array<array<f32, 3>, 3>(array<f32, 3>(_e828, _e834, _e840), array<f32, 3>(_e848, _e855, _e862), array<f32, 3>(_e870, _e877, _e884));
                                                 }
-                                                let _e729 = phi_857_;
-                                                let _e737 = (_e729[0][2] - _e321);
-                                                let _e740 = (((_e729[0][0] - _e244) * _e345) - (_e737 * _e269));
-                                                let _e743 = (((_e729[0][1] - _e283) * _e345) - (_e737 * _e307));
-                                                let _e750 = (_e729[1][2] - _e321);
-                                                let _e753 = (((_e729[1][0] - _e244) * _e345) - (_e750 * _e269));
-                                                let _e756 = (((_e729[1][1] - _e283) * _e345) - (_e750 * _e307));
-                                                let _e763 = (_e729[2][2] - _e321);
-                                                let _e766 = (((_e729[2][0] - _e244) * _e345) - (_e763 * _e269));
-                                                let _e769 = (((_e729[2][1] - _e283) * _e345) - (_e763 * _e307));
-                                                let _e770 = (_e766 * _e756);
-                                                let _e771 = (_e769 * _e753);
-                                                let _e772 = (_e740 * _e769);
-                                                let _e773 = (_e743 * _e766);
-                                                let _e774 = (_e753 * _e743);
-                                                let _e775 = (_e756 * _e740);
-                                                let _e780 = (((_e770 >= _e771) && (_e772 >= _e773)) && (_e774 >= _e775));
-                                                if (_e780 || (((_e770 <= _e771) && (_e772 <= _e773)) && (_e774 <= _e775))) {
-                                                    let _e787 = select(-1f, 1f, _e780);
-                                                    let _e789 = ((_e770 - _e771) * _e787);
-                                                    let _e791 = select(0f, _e789, (_e789 > 0f));
-                                                    let _e793 = ((_e772 - _e773) * _e787);
-                                                    let _e795 = select(0f, _e793, (_e793 > 0f));
-                                                    let _e797 = ((_e774 - _e775) * _e787);
-                                                    let _e799 = select(0f, _e797, (_e797 > 0f));
-                                                    let _e801 = ((_e791 + _e795) + _e799);
-                                                    if (_e801 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1682_ = type_26();
-                                                        phi_1683_ = true;
-                                                        phi_1684_ = false;
+                                                let _e888 = phi_1079_;
+                                                let _e896 = (_e888[0][2] - _e400);
+                                                let _e899 = (((_e888[0][0] - _e263) * _e439) - (_e896 * _e303));
+                                                let _e902 = (((_e888[0][1] - _e332) * _e439) - (_e896 * _e371));
+                                                let _e909 = (_e888[1][2] - _e400);
+                                                let _e912 = (((_e888[1][0] - _e263) * _e439) - (_e909 * _e303));
+                                                let _e915 = (((_e888[1][1] - _e332) * _e439) - (_e909 * _e371));
+                                                let _e922 = (_e888[2][2] - _e400);
+                                                let _e925 = (((_e888[2][0] - _e263) * _e439) - (_e922 * _e303));
+                                                let _e928 = (((_e888[2][1] - _e332) * _e439) - (_e922 * _e371));
+                                                let _e929 = (_e925 * _e915);
+                                                let _e930 = (_e928 * _e912);
+                                                let _e931 = (_e899 * _e928);
+                                                let _e932 = (_e902 * _e925);
+                                                let _e933 = (_e912 * _e902);
+                                                let _e934 = (_e915 * _e899);
+                                                let _e939 = (((_e929 >= _e930) && (_e931 >= _e932)) && (_e933 >= _e934));
+                                                if (_e939 || (((_e929 <= _e930) && (_e931 <= _e932)) && (_e933 <= _e934))) {
+                                                    let _e946 = select(-1f, 1f, _e939);
+                                                    let _e948 = ((_e929 - _e930) * _e946);
+                                                    let _e950 = select(0f, _e948, (_e948 > 0f));
+                                                    let _e952 = ((_e931 - _e932) * _e946);
+                                                    let _e954 = select(0f, _e952, (_e952 > 0f));
+                                                    let _e956 = ((_e933 - _e934) * _e946);
+                                                    let _e958 = select(0f, _e956, (_e956 > 0f));
+                                                    let _e960 = ((_e950 + _e954) + _e958);
+                                                    if (_e960 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1904_ = type_26();
+                                                        phi_1905_ = true;
+                                                        phi_1906_ = false;
                                                     } else {
-                                                        let _e804 = select(_e753, _e740, (_e740 < _e753));
-                                                        if (select(_e766, _e804, (_e804 < _e766)) > 0f) {
-                                                            phi_974_ = true;
+                                                        let _e963 = select(_e912, _e899, (_e899 < _e912));
+                                                        if (select(_e925, _e963, (_e963 < _e925)) > 0f) {
+                                                            phi_1196_ = true;
                                                         } else {
-                                                            let _e809 = select(_e753, _e740, (_e740 > _e753));
-                                                            phi_974_ = (select(_e766, _e809, (_e809 > _e766)) < 0f);
+                                                            let _e968 = select(_e912, _e899, (_e899 > _e912));
+                                                            phi_1196_ = (select(_e925, _e968, (_e968 > _e925)) < 0f);
                                                         }
-                                                        let _e814 = phi_974_;
-                                                        if _e814 {
-                                                            phi_1679_ = type_26();
-                                                            phi_1680_ = true;
-                                                            phi_1681_ = false;
+                                                        let _e973 = phi_1196_;
+                                                        if _e973 {
+                                                            phi_1901_ = type_26();
+                                                            phi_1902_ = true;
+                                                            phi_1903_ = false;
                                                         } else {
-                                                            let _e816 = select(_e756, _e743, (_e743 < _e756));
-                                                            if (select(_e769, _e816, (_e816 < _e769)) > 0f) {
-                                                                phi_1003_ = true;
+                                                            let _e975 = select(_e915, _e902, (_e902 < _e915));
+                                                            if (select(_e928, _e975, (_e975 < _e928)) > 0f) {
+                                                                phi_1225_ = true;
                                                             } else {
-                                                                let _e821 = select(_e756, _e743, (_e743 > _e756));
-                                                                phi_1003_ = (select(_e769, _e821, (_e821 > _e769)) < 0f);
+                                                                let _e980 = select(_e915, _e902, (_e902 > _e915));
+                                                                phi_1225_ = (select(_e928, _e980, (_e980 > _e928)) < 0f);
                                                             }
-                                                            let _e826 = phi_1003_;
-                                                            if _e826 {
-                                                                phi_1677_ = type_26();
-                                                                phi_1678_ = false;
+                                                            let _e985 = phi_1225_;
+                                                            if _e985 {
+                                                                phi_1899_ = type_26();
+                                                                phi_1900_ = false;
                                                             } else {
-                                                                let _e828 = select(_e729[1][0], _e729[0][0], (_e729[0][0] < _e729[1][0]));
-                                                                let _e832 = select(_e729[1][0], _e729[0][0], (_e729[0][0] > _e729[1][0]));
-                                                                let _e836 = select(_e729[1][1], _e729[0][1], (_e729[0][1] < _e729[1][1]));
-                                                                let _e840 = select(_e729[1][1], _e729[0][1], (_e729[0][1] > _e729[1][1]));
-                                                                let _e844 = select(_e729[1][2], _e729[0][2], (_e729[0][2] < _e729[1][2]));
-                                                                let _e848 = select(_e729[1][2], _e729[0][2], (_e729[0][2] > _e729[1][2]));
-                                                                let _e853 = ((select(_e729[2][0], _e828, (_e828 < _e729[2][0])) - _e267) * _e272);
-                                                                let _e854 = ((select(_e729[2][0], _e832, (_e832 > _e729[2][0])) - _e268) * _e272);
-                                                                let _e857 = ((select(_e729[2][1], _e836, (_e836 < _e729[2][1])) - _e305) * _e310);
-                                                                let _e858 = ((select(_e729[2][1], _e840, (_e840 > _e729[2][1])) - _e306) * _e310);
-                                                                let _e861 = ((select(_e729[2][2], _e844, (_e844 < _e729[2][2])) - _e343) * _e348);
-                                                                let _e862 = ((select(_e729[2][2], _e848, (_e848 > _e729[2][2])) - _e344) * _e348);
-                                                                let _e864 = select(_e862, _e861, (_e861 < _e862));
-                                                                let _e866 = select(_e862, _e861, (_e861 > _e862));
-                                                                let _e868 = select(_e854, _e853, (_e853 < _e854));
-                                                                let _e870 = select(_e858, _e857, (_e857 < _e858));
-                                                                let _e872 = select(_e870, _e868, (_e868 > _e870));
-                                                                let _e874 = select(_e864, _e872, (_e872 > _e864));
-                                                                let _e876 = select(_e854, _e853, (_e853 > _e854));
-                                                                let _e878 = select(_e858, _e857, (_e857 > _e858));
-                                                                let _e880 = select(_e878, _e876, (_e876 < _e878));
-                                                                let _e882 = select(_e866, _e880, (_e880 < _e866));
-                                                                let _e883 = -(_e864);
-                                                                let _e889 = select(_e395, _e874, (_e874 > _e395));
-                                                                if (_e889 > (_e882 + (select(_e883, _e866, (_e866 > _e883)) * 0.0000019073523f))) {
-                                                                    phi_1672_ = type_26();
-                                                                    phi_1673_ = true;
+                                                                let _e987 = select(_e888[1][0], _e888[0][0], (_e888[0][0] < _e888[1][0]));
+                                                                let _e991 = select(_e888[1][0], _e888[0][0], (_e888[0][0] > _e888[1][0]));
+                                                                let _e995 = select(_e888[1][1], _e888[0][1], (_e888[0][1] < _e888[1][1]));
+                                                                let _e999 = select(_e888[1][1], _e888[0][1], (_e888[0][1] > _e888[1][1]));
+                                                                let _e1003 = select(_e888[1][2], _e888[0][2], (_e888[0][2] < _e888[1][2]));
+                                                                let _e1007 = select(_e888[1][2], _e888[0][2], (_e888[0][2] > _e888[1][2]));
+                                                                let _e1012 = ((select(_e888[2][0], _e987, (_e987 < _e888[2][0])) - _e301) * _e306);
+                                                                let _e1013 = ((select(_e888[2][0], _e991, (_e991 > _e888[2][0])) - _e302) * _e306);
+                                                                let _e1016 = ((select(_e888[2][1], _e995, (_e995 < _e888[2][1])) - _e369) * _e374);
+                                                                let _e1017 = ((select(_e888[2][1], _e999, (_e999 > _e888[2][1])) - _e370) * _e374);
+                                                                let _e1020 = ((select(_e888[2][2], _e1003, (_e1003 < _e888[2][2])) - _e437) * _e442);
+                                                                let _e1021 = ((select(_e888[2][2], _e1007, (_e1007 > _e888[2][2])) - _e438) * _e442);
+                                                                let _e1023 = select(_e1021, _e1020, (_e1020 < _e1021));
+                                                                let _e1025 = select(_e1021, _e1020, (_e1020 > _e1021));
+                                                                let _e1027 = select(_e1013, _e1012, (_e1012 < _e1013));
+                                                                let _e1029 = select(_e1017, _e1016, (_e1016 < _e1017));
+                                                                let _e1031 = select(_e1029, _e1027, (_e1027 > _e1029));
+                                                                let _e1033 = select(_e1023, _e1031, (_e1031 > _e1023));
+                                                                let _e1035 = select(_e1013, _e1012, (_e1012 > _e1013));
+                                                                let _e1037 = select(_e1017, _e1016, (_e1016 > _e1017));
+                                                                let _e1039 = select(_e1037, _e1035, (_e1035 < _e1037));
+                                                                let _e1041 = select(_e1025, _e1039, (_e1039 < _e1025));
+                                                                let _e1042 = -(_e1023);
+                                                                let _e1048 = select(_e554, _e1033, (_e1033 > _e554));
+                                                                if (_e1048 > (_e1041 + (select(_e1042, _e1025, (_e1025 > _e1042)) * 0.0000019073523f))) {
+                                                                    phi_1894_ = type_26();
+                                                                    phi_1895_ = true;
                                                                 } else {
-                                                                    let _e891 = (_e889 > _e630.member);
-                                                                    if _e891 {
-                                                                        phi_1671_ = type_26();
+                                                                    let _e1050 = (_e1048 > _e789.member);
+                                                                    if _e1050 {
+                                                                        phi_1893_ = type_26();
                                                                     } else {
-                                                                        let _e892 = vec3<f32>(_e729[0][0], _e729[0][1], _e729[0][2]);
-                                                                        let _e893 = vec3<f32>(_e729[1][0], _e729[1][1], _e729[1][2]);
-                                                                        let _e894 = vec3<f32>(_e729[2][0], _e729[2][1], _e729[2][2]);
-                                                                        let _e895 = (_e729[1][0] - _e729[0][0]);
-                                                                        let _e896 = (_e729[1][1] - _e729[0][1]);
-                                                                        let _e897 = (_e729[1][2] - _e729[0][2]);
-                                                                        let _e898 = vec3<f32>(_e895, _e896, _e897);
-                                                                        let _e899 = (_e729[2][0] - _e729[1][0]);
-                                                                        let _e900 = (_e729[2][1] - _e729[1][1]);
-                                                                        let _e901 = (_e729[2][2] - _e729[1][2]);
-                                                                        let _e902 = vec3<f32>(_e899, _e900, _e901);
-                                                                        let _e903 = (_e729[0][0] - _e729[2][0]);
-                                                                        let _e904 = (_e729[0][1] - _e729[2][1]);
-                                                                        let _e905 = (_e729[0][2] - _e729[2][2]);
-                                                                        let _e906 = vec3<f32>(_e903, _e904, _e905);
-                                                                        let _e909 = bitcast<f32>((bitcast<u32>(_e895) & 2147483647u));
-                                                                        let _e912 = bitcast<f32>((bitcast<u32>(_e896) & 2147483647u));
-                                                                        let _e914 = select(_e912, _e909, (_e909 > _e912));
-                                                                        let _e917 = bitcast<f32>((bitcast<u32>(_e897) & 2147483647u));
-                                                                        let _e919 = select(_e917, _e914, (_e914 > _e917));
-                                                                        let _e922 = bitcast<f32>((bitcast<u32>(_e899) & 2147483647u));
-                                                                        let _e925 = bitcast<f32>((bitcast<u32>(_e900) & 2147483647u));
-                                                                        let _e927 = select(_e925, _e922, (_e922 > _e925));
-                                                                        let _e930 = bitcast<f32>((bitcast<u32>(_e901) & 2147483647u));
-                                                                        let _e932 = select(_e930, _e927, (_e927 > _e930));
-                                                                        let _e935 = bitcast<f32>((bitcast<u32>(_e903) & 2147483647u));
-                                                                        let _e938 = bitcast<f32>((bitcast<u32>(_e904) & 2147483647u));
-                                                                        let _e940 = select(_e938, _e935, (_e935 > _e938));
-                                                                        let _e943 = bitcast<f32>((bitcast<u32>(_e905) & 2147483647u));
-                                                                        let _e945 = select(_e943, _e940, (_e940 > _e943));
-                                                                        let _e947 = select(_e932, _e919, (_e919 > _e932));
-                                                                        let _e949 = select(_e945, _e947, (_e947 > _e945));
-                                                                        if (_e919 == _e949) {
-                                                                            phi_1404_ = _e756;
-                                                                            phi_1405_ = _e753;
-                                                                            phi_1406_ = _e743;
-                                                                            phi_1407_ = _e740;
-                                                                            phi_1408_ = _e892;
-                                                                            phi_1409_ = _e906;
-                                                                            phi_1410_ = _e902;
-                                                                            phi_1411_ = _e898;
+                                                                        let _e1051 = vec3<f32>(_e888[0][0], _e888[0][1], _e888[0][2]);
+                                                                        let _e1052 = vec3<f32>(_e888[1][0], _e888[1][1], _e888[1][2]);
+                                                                        let _e1053 = vec3<f32>(_e888[2][0], _e888[2][1], _e888[2][2]);
+                                                                        let _e1054 = (_e888[1][0] - _e888[0][0]);
+                                                                        let _e1055 = (_e888[1][1] - _e888[0][1]);
+                                                                        let _e1056 = (_e888[1][2] - _e888[0][2]);
+                                                                        let _e1057 = vec3<f32>(_e1054, _e1055, _e1056);
+                                                                        let _e1058 = (_e888[2][0] - _e888[1][0]);
+                                                                        let _e1059 = (_e888[2][1] - _e888[1][1]);
+                                                                        let _e1060 = (_e888[2][2] - _e888[1][2]);
+                                                                        let _e1061 = vec3<f32>(_e1058, _e1059, _e1060);
+                                                                        let _e1062 = (_e888[0][0] - _e888[2][0]);
+                                                                        let _e1063 = (_e888[0][1] - _e888[2][1]);
+                                                                        let _e1064 = (_e888[0][2] - _e888[2][2]);
+                                                                        let _e1065 = vec3<f32>(_e1062, _e1063, _e1064);
+                                                                        let _e1068 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
+                                                                        let _e1071 = bitcast<f32>((bitcast<u32>(_e1055) & 2147483647u));
+                                                                        let _e1073 = select(_e1071, _e1068, (_e1068 > _e1071));
+                                                                        let _e1076 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
+                                                                        let _e1078 = select(_e1076, _e1073, (_e1073 > _e1076));
+                                                                        let _e1081 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
+                                                                        let _e1084 = bitcast<f32>((bitcast<u32>(_e1059) & 2147483647u));
+                                                                        let _e1086 = select(_e1084, _e1081, (_e1081 > _e1084));
+                                                                        let _e1089 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
+                                                                        let _e1091 = select(_e1089, _e1086, (_e1086 > _e1089));
+                                                                        let _e1094 = bitcast<f32>((bitcast<u32>(_e1062) & 2147483647u));
+                                                                        let _e1097 = bitcast<f32>((bitcast<u32>(_e1063) & 2147483647u));
+                                                                        let _e1099 = select(_e1097, _e1094, (_e1094 > _e1097));
+                                                                        let _e1102 = bitcast<f32>((bitcast<u32>(_e1064) & 2147483647u));
+                                                                        let _e1104 = select(_e1102, _e1099, (_e1099 > _e1102));
+                                                                        let _e1106 = select(_e1091, _e1078, (_e1078 > _e1091));
+                                                                        let _e1108 = select(_e1104, _e1106, (_e1106 > _e1104));
+                                                                        if (_e1078 == _e1108) {
+                                                                            phi_1626_ = _e915;
+                                                                            phi_1627_ = _e912;
+                                                                            phi_1628_ = _e902;
+                                                                            phi_1629_ = _e899;
+                                                                            phi_1630_ = _e1051;
+                                                                            phi_1631_ = _e1065;
+                                                                            phi_1632_ = _e1061;
+                                                                            phi_1633_ = _e1057;
                                                                         } else {
-                                                                            let _e951 = (_e932 == _e949);
-                                                                            let _e956 = vec3(_e951);
-                                                                            phi_1404_ = select(_e743, _e769, _e951);
-                                                                            phi_1405_ = select(_e740, _e766, _e951);
-                                                                            phi_1406_ = select(_e769, _e756, _e951);
-                                                                            phi_1407_ = select(_e766, _e753, _e951);
-                                                                            phi_1408_ = select(_e894, _e893, _e956);
-                                                                            phi_1409_ = select(_e902, _e898, _e956);
-                                                                            phi_1410_ = select(_e898, _e906, _e956);
-                                                                            phi_1411_ = select(_e906, _e902, _e956);
+                                                                            let _e1110 = (_e1091 == _e1108);
+                                                                            let _e1115 = vec3(_e1110);
+                                                                            phi_1626_ = select(_e902, _e928, _e1110);
+                                                                            phi_1627_ = select(_e899, _e925, _e1110);
+                                                                            phi_1628_ = select(_e928, _e915, _e1110);
+                                                                            phi_1629_ = select(_e925, _e912, _e1110);
+                                                                            phi_1630_ = select(_e1053, _e1052, _e1115);
+                                                                            phi_1631_ = select(_e1061, _e1057, _e1115);
+                                                                            phi_1632_ = select(_e1057, _e1065, _e1115);
+                                                                            phi_1633_ = select(_e1065, _e1061, _e1115);
                                                                         }
-                                                                        let _e962 = phi_1404_;
-                                                                        let _e964 = phi_1405_;
-                                                                        let _e966 = phi_1406_;
-                                                                        let _e968 = phi_1407_;
-                                                                        let _e970 = phi_1408_;
-                                                                        let _e972 = phi_1409_;
-                                                                        let _e974 = phi_1410_;
-                                                                        let _e976 = phi_1411_;
-                                                                        let _e983 = ((_e974.y * _e972.z) - (_e972.y * _e974.z));
-                                                                        let _e988 = ((_e974.z * _e972.x) - (_e972.z * _e974.x));
-                                                                        let _e991 = ((_e974.x * _e972.y) - (_e972.x * _e974.y));
-                                                                        if (_e791 >= _e795) {
-                                                                            phi_1442_ = select(true, false, (_e791 >= _e799));
+                                                                        let _e1121 = phi_1626_;
+                                                                        let _e1123 = phi_1627_;
+                                                                        let _e1125 = phi_1628_;
+                                                                        let _e1127 = phi_1629_;
+                                                                        let _e1129 = phi_1630_;
+                                                                        let _e1131 = phi_1631_;
+                                                                        let _e1133 = phi_1632_;
+                                                                        let _e1135 = phi_1633_;
+                                                                        let _e1142 = ((_e1133.y * _e1131.z) - (_e1131.y * _e1133.z));
+                                                                        let _e1147 = ((_e1133.z * _e1131.x) - (_e1131.z * _e1133.x));
+                                                                        let _e1150 = ((_e1133.x * _e1131.y) - (_e1131.x * _e1133.y));
+                                                                        if (_e950 >= _e954) {
+                                                                            phi_1664_ = select(true, false, (_e950 >= _e958));
                                                                         } else {
-                                                                            phi_1442_ = true;
+                                                                            phi_1664_ = true;
                                                                         }
-                                                                        let _e996 = phi_1442_;
-                                                                        if _e996 {
-                                                                            phi_1451_ = select(_e894, _e893, vec3((_e795 >= _e799)));
+                                                                        let _e1155 = phi_1664_;
+                                                                        if _e1155 {
+                                                                            phi_1673_ = select(_e1053, _e1052, vec3((_e954 >= _e958)));
                                                                         } else {
-                                                                            phi_1451_ = _e892;
+                                                                            phi_1673_ = _e1051;
                                                                         }
-                                                                        let _e1001 = phi_1451_;
-                                                                        let _e1012 = (((_e983 * (_e1001.x - _e244)) + (_e988 * (_e1001.y - _e283))) + (_e991 * (_e1001.z - _e321)));
-                                                                        let _e1017 = (((_e983 * _e269) + (_e988 * _e307)) + (_e991 * _e345));
-                                                                        let _e1018 = (_e964 - _e968);
-                                                                        let _e1019 = (_e962 - _e966);
-                                                                        let _e1027 = (-(((_e968 * _e1018) + (_e966 * _e1019))) / ((_e1018 * _e1018) + (_e1019 * _e1019)));
-                                                                        let _e1029 = select(1f, _e1027, (_e1027 < 1f));
-                                                                        let _e1031 = select(0f, _e1029, (_e1029 > 0f));
-                                                                        let _e1044 = ((_e970.x + (_e976.x * _e1031)) - _e244);
-                                                                        let _e1045 = ((_e970.y + (_e976.y * _e1031)) - _e283);
-                                                                        let _e1046 = ((_e970.z + (_e976.z * _e1031)) - _e321);
-                                                                        let _e1047 = (_e1046 / _e345);
-                                                                        let _e1059 = bitcast<f32>((bitcast<u32>(_e1044) & 2147483647u));
-                                                                        let _e1062 = bitcast<f32>((bitcast<u32>(_e1045) & 2147483647u));
-                                                                        let _e1064 = select(_e1062, _e1059, (_e1059 > _e1062));
-                                                                        let _e1067 = bitcast<f32>((bitcast<u32>(_e1046) & 2147483647u));
-                                                                        let _e1069 = select(_e1067, _e1064, (_e1064 > _e1067));
-                                                                        let _e1075 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
-                                                                        let _e1078 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
-                                                                        let _e1080 = select(_e1078, _e1075, (_e1075 > _e1078));
-                                                                        let _e1083 = bitcast<f32>((bitcast<u32>(_e991) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e983 * _e1044) + (_e988 * _e1045)) + (_e991 * _e1046)) - _e1012)) & 2147483647u)) <= ((0.0000009536743f * select(_e949, _e1069, (_e1069 > _e949))) * select(_e1083, _e1080, (_e1080 > _e1083)))) {
-                                                                            let _e1093 = bitcast<f32>((bitcast<u32>(_e974.x) & 2147483647u));
-                                                                            let _e1096 = bitcast<f32>((bitcast<u32>(_e974.y) & 2147483647u));
-                                                                            let _e1098 = select(_e1096, _e1093, (_e1093 > _e1096));
-                                                                            let _e1101 = bitcast<f32>((bitcast<u32>(_e974.z) & 2147483647u));
-                                                                            let _e1107 = bitcast<f32>((bitcast<u32>(_e972.x) & 2147483647u));
-                                                                            let _e1110 = bitcast<f32>((bitcast<u32>(_e972.y) & 2147483647u));
-                                                                            let _e1112 = select(_e1110, _e1107, (_e1107 > _e1110));
-                                                                            let _e1115 = bitcast<f32>((bitcast<u32>(_e972.z) & 2147483647u));
-                                                                            let _e1119 = (bitcast<f32>((bitcast<u32>(_e1017) & 2147483647u)) > ((0.0000038146973f * select(_e1101, _e1098, (_e1098 > _e1101))) * select(_e1115, _e1112, (_e1112 > _e1115))));
-                                                                            if _e1119 {
-                                                                                phi_1616_ = (_e1012 / _e1017);
+                                                                        let _e1160 = phi_1673_;
+                                                                        let _e1171 = (((_e1142 * (_e1160.x - _e263)) + (_e1147 * (_e1160.y - _e332))) + (_e1150 * (_e1160.z - _e400)));
+                                                                        let _e1176 = (((_e1142 * _e303) + (_e1147 * _e371)) + (_e1150 * _e439));
+                                                                        let _e1177 = (_e1123 - _e1127);
+                                                                        let _e1178 = (_e1121 - _e1125);
+                                                                        let _e1186 = (-(((_e1127 * _e1177) + (_e1125 * _e1178))) / ((_e1177 * _e1177) + (_e1178 * _e1178)));
+                                                                        let _e1188 = select(1f, _e1186, (_e1186 < 1f));
+                                                                        let _e1190 = select(0f, _e1188, (_e1188 > 0f));
+                                                                        let _e1203 = ((_e1129.x + (_e1135.x * _e1190)) - _e263);
+                                                                        let _e1204 = ((_e1129.y + (_e1135.y * _e1190)) - _e332);
+                                                                        let _e1205 = ((_e1129.z + (_e1135.z * _e1190)) - _e400);
+                                                                        let _e1206 = (_e1205 / _e439);
+                                                                        let _e1218 = bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u));
+                                                                        let _e1221 = bitcast<f32>((bitcast<u32>(_e1204) & 2147483647u));
+                                                                        let _e1223 = select(_e1221, _e1218, (_e1218 > _e1221));
+                                                                        let _e1226 = bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u));
+                                                                        let _e1228 = select(_e1226, _e1223, (_e1223 > _e1226));
+                                                                        let _e1234 = bitcast<f32>((bitcast<u32>(_e1142) & 2147483647u));
+                                                                        let _e1237 = bitcast<f32>((bitcast<u32>(_e1147) & 2147483647u));
+                                                                        let _e1239 = select(_e1237, _e1234, (_e1234 > _e1237));
+                                                                        let _e1242 = bitcast<f32>((bitcast<u32>(_e1150) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1142 * _e1203) + (_e1147 * _e1204)) + (_e1150 * _e1205)) - _e1171)) & 2147483647u)) <= ((0.0000009536743f * select(_e1108, _e1228, (_e1228 > _e1108))) * select(_e1242, _e1239, (_e1239 > _e1242)))) {
+                                                                            let _e1252 = bitcast<f32>((bitcast<u32>(_e1133.x) & 2147483647u));
+                                                                            let _e1255 = bitcast<f32>((bitcast<u32>(_e1133.y) & 2147483647u));
+                                                                            let _e1257 = select(_e1255, _e1252, (_e1252 > _e1255));
+                                                                            let _e1260 = bitcast<f32>((bitcast<u32>(_e1133.z) & 2147483647u));
+                                                                            let _e1266 = bitcast<f32>((bitcast<u32>(_e1131.x) & 2147483647u));
+                                                                            let _e1269 = bitcast<f32>((bitcast<u32>(_e1131.y) & 2147483647u));
+                                                                            let _e1271 = select(_e1269, _e1266, (_e1266 > _e1269));
+                                                                            let _e1274 = bitcast<f32>((bitcast<u32>(_e1131.z) & 2147483647u));
+                                                                            let _e1278 = (bitcast<f32>((bitcast<u32>(_e1176) & 2147483647u)) > ((0.0000038146973f * select(_e1260, _e1257, (_e1257 > _e1260))) * select(_e1274, _e1271, (_e1271 > _e1274))));
+                                                                            if _e1278 {
+                                                                                phi_1838_ = (_e1171 / _e1176);
                                                                             } else {
-                                                                                phi_1616_ = f32();
+                                                                                phi_1838_ = f32();
                                                                             }
-                                                                            let _e1122 = phi_1616_;
-                                                                            phi_1618_ = _e1122;
-                                                                            phi_1619_ = select(true, false, _e1119);
+                                                                            let _e1281 = phi_1838_;
+                                                                            phi_1840_ = _e1281;
+                                                                            phi_1841_ = select(true, false, _e1278);
                                                                         } else {
-                                                                            phi_1618_ = f32();
-                                                                            phi_1619_ = true;
+                                                                            phi_1840_ = f32();
+                                                                            phi_1841_ = true;
                                                                         }
-                                                                        let _e1125 = phi_1618_;
-                                                                        let _e1127 = phi_1619_;
-                                                                        if _e1127 {
-                                                                            let _e1135 = (((_e983 * (_e1044 - (_e269 * _e1047))) + (_e988 * (_e1045 - (_e307 * _e1047)))) / _e1017);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u)) <= _e949) {
-                                                                                phi_1639_ = (_e1047 + _e1135);
+                                                                        let _e1284 = phi_1840_;
+                                                                        let _e1286 = phi_1841_;
+                                                                        if _e1286 {
+                                                                            let _e1294 = (((_e1142 * (_e1203 - (_e303 * _e1206))) + (_e1147 * (_e1204 - (_e371 * _e1206)))) / _e1176);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1294) & 2147483647u)) <= _e1108) {
+                                                                                phi_1861_ = (_e1206 + _e1294);
                                                                             } else {
-                                                                                phi_1639_ = _e1047;
+                                                                                phi_1861_ = _e1206;
                                                                             }
-                                                                            let _e1142 = phi_1639_;
-                                                                            phi_1640_ = _e1142;
+                                                                            let _e1301 = phi_1861_;
+                                                                            phi_1862_ = _e1301;
                                                                         } else {
-                                                                            phi_1640_ = _e1125;
+                                                                            phi_1862_ = _e1284;
                                                                         }
-                                                                        let _e1144 = phi_1640_;
-                                                                        let _e1146 = select(_e882, _e1144, (_e1144 < _e882));
-                                                                        let _e1148 = select(_e874, _e1146, (_e1146 > _e874));
-                                                                        if (_e1148 >= _e395) {
-                                                                            let _e1150 = (_e1148 <= _e630.member);
-                                                                            if _e1150 {
-                                                                                let _e1151 = (1f / _e801);
-                                                                                phi_1663_ = type_26(_e1148, (_e795 * _e1151), (_e799 * _e1151), _e659);
+                                                                        let _e1303 = phi_1862_;
+                                                                        let _e1305 = select(_e1041, _e1303, (_e1303 < _e1041));
+                                                                        let _e1307 = select(_e1033, _e1305, (_e1305 > _e1033));
+                                                                        if (_e1307 >= _e554) {
+                                                                            let _e1309 = (_e1307 <= _e789.member);
+                                                                            if _e1309 {
+                                                                                let _e1310 = (1f / _e960);
+                                                                                phi_1885_ = type_26(_e1307, (_e954 * _e1310), (_e958 * _e1310), _e818);
                                                                             } else {
-                                                                                phi_1663_ = type_26();
+                                                                                phi_1885_ = type_26();
                                                                             }
-                                                                            let _e1156 = phi_1663_;
-                                                                            phi_1665_ = _e1156;
-                                                                            phi_1666_ = select(true, false, _e1150);
+                                                                            let _e1315 = phi_1885_;
+                                                                            phi_1887_ = _e1315;
+                                                                            phi_1888_ = select(true, false, _e1309);
                                                                         } else {
-                                                                            phi_1665_ = type_26();
-                                                                            phi_1666_ = true;
+                                                                            phi_1887_ = type_26();
+                                                                            phi_1888_ = true;
                                                                         }
-                                                                        let _e1159 = phi_1665_;
-                                                                        let _e1161 = phi_1666_;
-                                                                        if _e1161 {
-                                                                            phi_1670_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1318 = phi_1887_;
+                                                                        let _e1320 = phi_1888_;
+                                                                        if _e1320 {
+                                                                            phi_1892_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1670_ = _e1159;
+                                                                            phi_1892_ = _e1318;
                                                                         }
-                                                                        let _e1163 = phi_1670_;
-                                                                        phi_1671_ = _e1163;
+                                                                        let _e1322 = phi_1892_;
+                                                                        phi_1893_ = _e1322;
                                                                     }
-                                                                    let _e1165 = phi_1671_;
-                                                                    phi_1672_ = _e1165;
-                                                                    phi_1673_ = _e891;
+                                                                    let _e1324 = phi_1893_;
+                                                                    phi_1894_ = _e1324;
+                                                                    phi_1895_ = _e1050;
                                                                 }
-                                                                let _e1167 = phi_1672_;
-                                                                let _e1169 = phi_1673_;
-                                                                phi_1677_ = _e1167;
-                                                                phi_1678_ = _e1169;
+                                                                let _e1326 = phi_1894_;
+                                                                let _e1328 = phi_1895_;
+                                                                phi_1899_ = _e1326;
+                                                                phi_1900_ = _e1328;
                                                             }
-                                                            let _e1171 = phi_1677_;
-                                                            let _e1173 = phi_1678_;
-                                                            phi_1679_ = _e1171;
-                                                            phi_1680_ = _e826;
-                                                            phi_1681_ = _e1173;
+                                                            let _e1330 = phi_1899_;
+                                                            let _e1332 = phi_1900_;
+                                                            phi_1901_ = _e1330;
+                                                            phi_1902_ = _e985;
+                                                            phi_1903_ = _e1332;
                                                         }
-                                                        let _e1175 = phi_1679_;
-                                                        let _e1177 = phi_1680_;
-                                                        let _e1179 = phi_1681_;
-                                                        phi_1682_ = _e1175;
-                                                        phi_1683_ = _e1177;
-                                                        phi_1684_ = _e1179;
+                                                        let _e1334 = phi_1901_;
+                                                        let _e1336 = phi_1902_;
+                                                        let _e1338 = phi_1903_;
+                                                        phi_1904_ = _e1334;
+                                                        phi_1905_ = _e1336;
+                                                        phi_1906_ = _e1338;
                                                     }
-                                                    let _e1181 = phi_1682_;
-                                                    let _e1183 = phi_1683_;
-                                                    let _e1185 = phi_1684_;
-                                                    phi_1692_ = _e1181;
-                                                    phi_1693_ = select(_e1185, true, _e1183);
+                                                    let _e1340 = phi_1904_;
+                                                    let _e1342 = phi_1905_;
+                                                    let _e1344 = phi_1906_;
+                                                    phi_1914_ = _e1340;
+                                                    phi_1915_ = select(_e1344, true, _e1342);
                                                 } else {
-                                                    phi_1692_ = type_26();
-                                                    phi_1693_ = true;
+                                                    phi_1914_ = type_26();
+                                                    phi_1915_ = true;
                                                 }
-                                                let _e1188 = phi_1692_;
-                                                let _e1190 = phi_1693_;
-                                                if _e1190 {
-                                                    phi_1697_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1347 = phi_1914_;
+                                                let _e1349 = phi_1915_;
+                                                if _e1349 {
+                                                    phi_1919_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1697_ = _e1188;
+                                                    phi_1919_ = _e1347;
                                                 }
-                                                let _e1192 = phi_1697_;
-                                                if (_e1192.member_3 != 4294967295u) {
-                                                    if (_e659 != 4294967295u) {
-                                                        phi_1708_ = type_46(_e630.member, true);
+                                                let _e1351 = phi_1919_;
+                                                if (_e1351.member_3 != 4294967295u) {
+                                                    if (_e818 != 4294967295u) {
+                                                        phi_1930_ = type_46(_e789.member, true);
                                                     } else {
-                                                        phi_1708_ = _e630;
+                                                        phi_1930_ = _e789;
                                                     }
-                                                    let _e1200 = phi_1708_;
-                                                    phi_1709_ = _e1200;
+                                                    let _e1359 = phi_1930_;
+                                                    phi_1931_ = _e1359;
                                                 } else {
-                                                    phi_1709_ = _e630;
+                                                    phi_1931_ = _e789;
                                                 }
-                                                let _e1202 = phi_1709_;
-                                                phi_722_ = _e1202;
+                                                let _e1361 = phi_1931_;
+                                                phi_944_ = _e1361;
                                             } else {
-                                                phi_722_ = type_46();
+                                                phi_944_ = type_46();
                                             }
-                                            let _e1204 = phi_722_;
+                                            let _e1363 = phi_944_;
                                             continue;
                                             continuing {
-                                                phi_721_ = _e1204;
-                                                phi_724_ = _e645;
-                                                phi_2206_ = _e403;
-                                                break if !(_e651);
+                                                phi_943_ = _e1363;
+                                                phi_946_ = _e804;
+                                                phi_2428_ = _e562;
+                                                break if !(_e810);
                                             }
                                         }
-                                        let _e1207 = phi_2206_;
-                                        phi_2345_ = _e1207;
-                                        if _e1207 {
+                                        let _e1366 = phi_2428_;
+                                        phi_2585_ = _e1366;
+                                        if _e1366 {
                                             break;
                                         }
-                                        let _e1209 = local_2;
-                                        phi_2349_ = _e1207;
-                                        let _e1368 = local_4;
-                                        phi_2165_ = _e1368;
-                                        phi_2166_ = _e428;
-                                        phi_2167_ = false;
-                                        phi_2168_ = select(_e432, 0u, _e1209.member_1);
+                                        let _e1368 = local_2;
+                                        phi_2589_ = _e1366;
+                                        let _e1533 = local_4;
+                                        phi_2387_ = _e1533;
+                                        phi_2388_ = _e587;
+                                        phi_2389_ = false;
+                                        phi_2390_ = select(_e591, 0u, _e1368.member_1);
                                     } else {
-                                        if (_e428 >= _e67) {
-                                            phi_1770_ = type_42(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e587 >= _e71) {
+                                            phi_1992_ = type_42(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e428 < _e67) {
+                                            if (_e587 < _e71) {
                                             } else {
-                                                phi_2345_ = true;
+                                                phi_2585_ = true;
                                                 break;
                                             }
-                                            let _e442 = (_e195 % 3u);
-                                            if (_e442 < 3u) {
+                                            let _e601 = (_e199 % 3u);
+                                            if (_e601 < 3u) {
                                             } else {
-                                                phi_2345_ = true;
+                                                phi_2585_ = true;
                                                 break;
                                             }
-                                            let _e448 = global_2.member[_e428].member[_e442];
-                                            let _e454 = (_e194 % 3u);
-                                            if (_e454 < 3u) {
+                                            let _e607 = global_2.member[_e587].member[_e601];
+                                            let _e613 = (_e198 % 3u);
+                                            if (_e613 < 3u) {
                                             } else {
-                                                phi_2345_ = true;
+                                                phi_2585_ = true;
                                                 break;
                                             }
-                                            let _e460 = global_2.member[_e428].member[_e454];
-                                            let _e466 = (_e196 % 3u);
-                                            if (_e466 < 3u) {
+                                            let _e619 = global_2.member[_e587].member[_e613];
+                                            let _e625 = (_e200 % 3u);
+                                            if (_e625 < 3u) {
                                             } else {
-                                                phi_2345_ = true;
+                                                phi_2585_ = true;
                                                 break;
                                             }
-                                            let _e472 = global_2.member[_e428].member[_e466];
-                                            let _e482 = global_2.member[_e428].member_1;
-                                            let _e486 = global_2.member[_e428].member_2;
-                                            phi_1770_ = type_42(array<vec4<f32>, 3>(vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3]), vec4<f32>(_e472[0], _e472[1], _e472[2], _e472[3])), _e482, _e486);
+                                            let _e631 = global_2.member[_e587].member[_e625];
+                                            let _e641 = global_2.member[_e587].member_1;
+                                            let _e645 = global_2.member[_e587].member_2;
+                                            phi_1992_ = type_42(array<vec4<f32>, 3>(vec4<f32>(_e607[0], _e607[1], _e607[2], _e607[3]), vec4<f32>(_e619[0], _e619[1], _e619[2], _e619[3]), vec4<f32>(_e631[0], _e631[1], _e631[2], _e631[3])), _e641, _e645);
                                         }
-                                        let _e489 = phi_1770_;
-                                        let _e501 = ((_e489.member[0].x - _e267) * _e272);
-                                        let _e502 = ((_e489.member[0].y - _e267) * _e272);
-                                        let _e503 = ((_e489.member[0].z - _e268) * _e272);
-                                        let _e504 = ((_e489.member[0].w - _e268) * _e272);
-                                        let _e514 = ((_e489.member[1].x - _e305) * _e310);
-                                        let _e515 = ((_e489.member[1].y - _e305) * _e310);
-                                        let _e516 = ((_e489.member[1].z - _e306) * _e310);
-                                        let _e517 = ((_e489.member[1].w - _e306) * _e310);
-                                        let _e527 = ((_e489.member[2].x - _e343) * _e348);
-                                        let _e528 = ((_e489.member[2].y - _e343) * _e348);
-                                        let _e529 = ((_e489.member[2].z - _e344) * _e348);
-                                        let _e530 = ((_e489.member[2].w - _e344) * _e348);
-                                        let _e532 = select(_e529, _e527, (_e527 < _e529));
-                                        let _e534 = select(_e530, _e528, (_e528 < _e530));
-                                        let _e536 = select(_e529, _e527, (_e527 > _e529));
-                                        let _e538 = select(_e530, _e528, (_e528 > _e530));
-                                        let _e540 = select(_e503, _e501, (_e501 < _e503));
-                                        let _e542 = select(_e504, _e502, (_e502 < _e504));
-                                        let _e544 = select(_e516, _e514, (_e514 < _e516));
-                                        let _e546 = select(_e517, _e515, (_e515 < _e517));
-                                        let _e548 = select(_e544, _e540, (_e540 > _e544));
-                                        let _e550 = select(_e546, _e542, (_e542 > _e546));
-                                        let _e552 = select(_e532, _e548, (_e548 > _e532));
-                                        let _e554 = select(_e534, _e550, (_e550 > _e534));
-                                        let _e556 = select(_e503, _e501, (_e501 > _e503));
-                                        let _e558 = select(_e504, _e502, (_e502 > _e504));
-                                        let _e560 = select(_e516, _e514, (_e514 > _e516));
-                                        let _e562 = select(_e517, _e515, (_e515 > _e517));
-                                        let _e564 = select(_e560, _e556, (_e556 < _e560));
-                                        let _e566 = select(_e562, _e558, (_e558 < _e562));
-                                        let _e571 = -(_e532);
-                                        let _e572 = -(_e534);
-                                        let _e579 = (select(_e536, _e564, (_e564 < _e536)) + (select(_e571, _e536, (_e536 > _e571)) * 0.0000019073523f));
-                                        let _e580 = (select(_e538, _e566, (_e566 < _e538)) + (select(_e572, _e538, (_e538 > _e572)) * 0.0000019073523f));
-                                        let _e582 = select(_e395, _e552, (_e552 > _e395));
-                                        let _e584 = select(_e395, _e554, (_e554 > _e395));
-                                        let _e589 = (_e582 <= select(_e405.member, _e579, (_e579 < _e405.member)));
-                                        let _e590 = (_e584 <= select(_e405.member, _e580, (_e580 < _e405.member)));
-                                        let _e591 = (_e582 <= _e584);
-                                        if _e589 {
-                                            if _e590 {
-                                                if _e591 {
-                                                    phi_2114_ = _e489.member_2;
+                                        let _e648 = phi_1992_;
+                                        let _e660 = ((_e648.member[0].x - _e301) * _e306);
+                                        let _e661 = ((_e648.member[0].y - _e301) * _e306);
+                                        let _e662 = ((_e648.member[0].z - _e302) * _e306);
+                                        let _e663 = ((_e648.member[0].w - _e302) * _e306);
+                                        let _e673 = ((_e648.member[1].x - _e369) * _e374);
+                                        let _e674 = ((_e648.member[1].y - _e369) * _e374);
+                                        let _e675 = ((_e648.member[1].z - _e370) * _e374);
+                                        let _e676 = ((_e648.member[1].w - _e370) * _e374);
+                                        let _e686 = ((_e648.member[2].x - _e437) * _e442);
+                                        let _e687 = ((_e648.member[2].y - _e437) * _e442);
+                                        let _e688 = ((_e648.member[2].z - _e438) * _e442);
+                                        let _e689 = ((_e648.member[2].w - _e438) * _e442);
+                                        let _e691 = select(_e688, _e686, (_e686 < _e688));
+                                        let _e693 = select(_e689, _e687, (_e687 < _e689));
+                                        let _e695 = select(_e688, _e686, (_e686 > _e688));
+                                        let _e697 = select(_e689, _e687, (_e687 > _e689));
+                                        let _e699 = select(_e662, _e660, (_e660 < _e662));
+                                        let _e701 = select(_e663, _e661, (_e661 < _e663));
+                                        let _e703 = select(_e675, _e673, (_e673 < _e675));
+                                        let _e705 = select(_e676, _e674, (_e674 < _e676));
+                                        let _e707 = select(_e703, _e699, (_e699 > _e703));
+                                        let _e709 = select(_e705, _e701, (_e701 > _e705));
+                                        let _e711 = select(_e691, _e707, (_e707 > _e691));
+                                        let _e713 = select(_e693, _e709, (_e709 > _e693));
+                                        let _e715 = select(_e662, _e660, (_e660 > _e662));
+                                        let _e717 = select(_e663, _e661, (_e661 > _e663));
+                                        let _e719 = select(_e675, _e673, (_e673 > _e675));
+                                        let _e721 = select(_e676, _e674, (_e674 > _e676));
+                                        let _e723 = select(_e719, _e715, (_e715 < _e719));
+                                        let _e725 = select(_e721, _e717, (_e717 < _e721));
+                                        let _e730 = -(_e691);
+                                        let _e731 = -(_e693);
+                                        let _e738 = (select(_e695, _e723, (_e723 < _e695)) + (select(_e730, _e695, (_e695 > _e730)) * 0.0000019073523f));
+                                        let _e739 = (select(_e697, _e725, (_e725 < _e697)) + (select(_e731, _e697, (_e697 > _e731)) * 0.0000019073523f));
+                                        let _e741 = select(_e554, _e711, (_e711 > _e554));
+                                        let _e743 = select(_e554, _e713, (_e713 > _e554));
+                                        let _e748 = (_e741 <= select(_e564.member, _e738, (_e738 < _e564.member)));
+                                        let _e749 = (_e743 <= select(_e564.member, _e739, (_e739 < _e564.member)));
+                                        let _e750 = (_e741 <= _e743);
+                                        if _e748 {
+                                            if _e749 {
+                                                if _e750 {
+                                                    phi_2336_ = _e648.member_2;
                                                 } else {
-                                                    phi_2114_ = _e489.member_1;
+                                                    phi_2336_ = _e648.member_1;
                                                 }
-                                                let _e595 = phi_2114_;
-                                                let _e598 = (_e432 % 128u);
-                                                let _e599 = (_e598 < 128u);
-                                                if _e599 {
+                                                let _e754 = phi_2336_;
+                                                let _e757 = (_e591 % 128u);
+                                                let _e758 = (_e757 < 128u);
+                                                if _e758 {
                                                 } else {
-                                                    phi_2345_ = true;
+                                                    phi_2585_ = true;
                                                     break;
                                                 }
-                                                local_1[_e598] = _e595;
-                                                if _e599 {
+                                                local_1[_e757] = _e754;
+                                                if _e758 {
                                                 } else {
-                                                    phi_2345_ = true;
+                                                    phi_2585_ = true;
                                                     break;
                                                 }
-                                                local[_e598] = select(_e584, _e582, (_e582 > _e584));
-                                                if _e591 {
-                                                    phi_2142_ = _e489.member_1;
+                                                local[_e757] = select(_e743, _e741, (_e741 > _e743));
+                                                if _e750 {
+                                                    phi_2364_ = _e648.member_1;
                                                 } else {
-                                                    phi_2142_ = _e489.member_2;
+                                                    phi_2364_ = _e648.member_2;
                                                 }
-                                                let _e606 = phi_2142_;
-                                                phi_2143_ = _e606;
-                                                phi_2144_ = (_e432 + 1u);
+                                                let _e765 = phi_2364_;
+                                                phi_2365_ = _e765;
+                                                phi_2366_ = (_e591 + 1u);
                                             } else {
-                                                phi_2143_ = u32();
-                                                phi_2144_ = u32();
+                                                phi_2365_ = u32();
+                                                phi_2366_ = u32();
                                             }
-                                            let _e608 = phi_2143_;
-                                            let _e610 = phi_2144_;
-                                            phi_2146_ = _e608;
-                                            phi_2147_ = _e610;
-                                            phi_2148_ = select(true, false, _e590);
+                                            let _e767 = phi_2365_;
+                                            let _e769 = phi_2366_;
+                                            phi_2368_ = _e767;
+                                            phi_2369_ = _e769;
+                                            phi_2370_ = select(true, false, _e749);
                                         } else {
-                                            phi_2146_ = u32();
-                                            phi_2147_ = u32();
-                                            phi_2148_ = true;
+                                            phi_2368_ = u32();
+                                            phi_2369_ = u32();
+                                            phi_2370_ = true;
                                         }
-                                        let _e613 = phi_2146_;
-                                        let _e615 = phi_2147_;
-                                        let _e617 = phi_2148_;
-                                        if _e617 {
-                                            if _e589 {
-                                                phi_2157_ = _e489.member_1;
+                                        let _e772 = phi_2368_;
+                                        let _e774 = phi_2369_;
+                                        let _e776 = phi_2370_;
+                                        if _e776 {
+                                            if _e748 {
+                                                phi_2379_ = _e648.member_1;
                                             } else {
-                                                phi_2157_ = _e489.member_2;
+                                                phi_2379_ = _e648.member_2;
                                             }
-                                            let _e621 = phi_2157_;
-                                            phi_2162_ = _e621;
-                                            phi_2163_ = select(_e590, true, _e589);
+                                            let _e780 = phi_2379_;
+                                            phi_2384_ = _e780;
+                                            phi_2385_ = select(_e749, true, _e748);
                                         } else {
-                                            phi_2162_ = _e613;
-                                            phi_2163_ = _e430;
+                                            phi_2384_ = _e772;
+                                            phi_2385_ = _e589;
                                         }
-                                        let _e624 = phi_2162_;
-                                        let _e626 = phi_2163_;
-                                        phi_2349_ = _e403;
-                                        phi_2165_ = _e405;
-                                        phi_2166_ = _e624;
-                                        phi_2167_ = _e626;
-                                        phi_2168_ = select(_e615, _e432, _e617);
+                                        let _e783 = phi_2384_;
+                                        let _e785 = phi_2385_;
+                                        phi_2589_ = _e562;
+                                        phi_2387_ = _e564;
+                                        phi_2388_ = _e783;
+                                        phi_2389_ = _e785;
+                                        phi_2390_ = select(_e774, _e591, _e776);
                                     }
-                                    let _e1213 = phi_2349_;
-                                    let _e1215 = phi_2165_;
-                                    let _e1217 = phi_2166_;
-                                    let _e1219 = phi_2167_;
-                                    let _e1221 = phi_2168_;
-                                    phi_2348_ = _e1213;
-                                    phi_2169_ = _e1215;
-                                    phi_2170_ = _e1217;
-                                    phi_2171_ = (_e409 - 1u);
-                                    phi_2172_ = _e1219;
-                                    phi_2173_ = _e1221;
+                                    let _e1372 = phi_2589_;
+                                    let _e1374 = phi_2387_;
+                                    let _e1376 = phi_2388_;
+                                    let _e1378 = phi_2389_;
+                                    let _e1380 = phi_2390_;
+                                    phi_2588_ = _e1372;
+                                    phi_2391_ = _e1374;
+                                    phi_2392_ = _e1376;
+                                    phi_2393_ = (_e568 - 1u);
+                                    phi_2394_ = _e1378;
+                                    phi_2395_ = _e1380;
                                 } else {
-                                    phi_2348_ = _e403;
-                                    phi_2169_ = _e405;
-                                    phi_2170_ = _e428;
-                                    phi_2171_ = _e409;
-                                    phi_2172_ = _e430;
-                                    phi_2173_ = _e432;
+                                    phi_2588_ = _e562;
+                                    phi_2391_ = _e564;
+                                    phi_2392_ = _e587;
+                                    phi_2393_ = _e568;
+                                    phi_2394_ = _e589;
+                                    phi_2395_ = _e591;
                                 }
-                                let _e1223 = phi_2348_;
-                                let _e1225 = phi_2169_;
-                                let _e1227 = phi_2170_;
-                                let _e1229 = phi_2171_;
-                                let _e1231 = phi_2172_;
-                                let _e1233 = phi_2173_;
-                                phi_2347_ = _e1223;
-                                phi_2174_ = _e1225;
-                                phi_2175_ = _e1227;
-                                phi_2176_ = _e1229;
-                                phi_2177_ = _e1231;
-                                phi_2178_ = _e1233;
+                                let _e1382 = phi_2588_;
+                                let _e1384 = phi_2391_;
+                                let _e1386 = phi_2392_;
+                                let _e1388 = phi_2393_;
+                                let _e1390 = phi_2394_;
+                                let _e1392 = phi_2395_;
+                                phi_2587_ = _e1382;
+                                phi_2396_ = _e1384;
+                                phi_2397_ = _e1386;
+                                phi_2398_ = _e1388;
+                                phi_2399_ = _e1390;
+                                phi_2400_ = _e1392;
                             } else {
-                                phi_2347_ = _e403;
-                                phi_2174_ = type_46();
-                                phi_2175_ = u32();
-                                phi_2176_ = u32();
-                                phi_2177_ = bool();
-                                phi_2178_ = u32();
+                                phi_2587_ = _e562;
+                                phi_2396_ = type_46();
+                                phi_2397_ = u32();
+                                phi_2398_ = u32();
+                                phi_2399_ = bool();
+                                phi_2400_ = u32();
                             }
-                            let _e1235 = phi_2347_;
-                            let _e1237 = phi_2174_;
-                            let _e1239 = phi_2175_;
-                            let _e1241 = phi_2176_;
-                            let _e1243 = phi_2177_;
-                            let _e1245 = phi_2178_;
-                            phi_2346_ = _e1235;
-                            phi_653_ = _e1237;
-                            phi_656_ = _e1239;
-                            phi_658_ = _e1241;
-                            phi_660_ = _e1243;
-                            phi_662_ = _e1245;
-                            phi_2179_ = _e417;
+                            let _e1394 = phi_2587_;
+                            let _e1396 = phi_2396_;
+                            let _e1398 = phi_2397_;
+                            let _e1400 = phi_2398_;
+                            let _e1402 = phi_2399_;
+                            let _e1404 = phi_2400_;
+                            phi_2586_ = _e1394;
+                            phi_875_ = _e1396;
+                            phi_878_ = _e1398;
+                            phi_880_ = _e1400;
+                            phi_882_ = _e1402;
+                            phi_884_ = _e1404;
+                            phi_2401_ = _e576;
                         } else {
-                            phi_2346_ = _e403;
-                            phi_653_ = type_46();
-                            phi_656_ = u32();
-                            phi_658_ = u32();
-                            phi_660_ = bool();
-                            phi_662_ = u32();
-                            phi_2179_ = false;
+                            phi_2586_ = _e562;
+                            phi_875_ = type_46();
+                            phi_878_ = u32();
+                            phi_880_ = u32();
+                            phi_882_ = bool();
+                            phi_884_ = u32();
+                            phi_2401_ = false;
                         }
-                        let _e1247 = phi_2346_;
-                        let _e1249 = phi_653_;
-                        let _e1251 = phi_656_;
-                        let _e1253 = phi_658_;
-                        let _e1255 = phi_660_;
-                        let _e1257 = phi_662_;
-                        let _e1259 = phi_2179_;
+                        let _e1406 = phi_2586_;
+                        let _e1408 = phi_875_;
+                        let _e1410 = phi_878_;
+                        let _e1412 = phi_880_;
+                        let _e1414 = phi_882_;
+                        let _e1416 = phi_884_;
+                        let _e1418 = phi_2401_;
                         continue;
                         continuing {
-                            phi_2212_ = _e1247;
-                            phi_652_ = _e1249;
-                            phi_655_ = _e1251;
-                            phi_657_ = _e1253;
-                            phi_659_ = _e1255;
-                            phi_661_ = _e1257;
-                            phi_2345_ = _e1247;
-                            break if !(_e1259);
+                            phi_2434_ = _e1406;
+                            phi_874_ = _e1408;
+                            phi_877_ = _e1410;
+                            phi_879_ = _e1412;
+                            phi_881_ = _e1414;
+                            phi_883_ = _e1416;
+                            phi_2585_ = _e1406;
+                            break if !(_e1418);
                         }
                     }
-                    let _e1262 = phi_2345_;
-                    if _e1262 {
+                    let _e1421 = phi_2585_;
+                    if _e1421 {
                         break;
                     }
-                    let _e1264 = local_3;
-                    if _e83 {
+                    let _e1423 = local_3;
+                    if _e87 {
                     } else {
                         break;
                     }
-                    global_5.member[_e77] = select(0u, 1u, _e1264.member_1);
+                    global_5.member[_e81] = select(0u, 1u, _e1423.member_1);
                 }
             }
             break;

@@ -93,391 +93,451 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_328_: i32;
-    var phi_329_: i32;
-    var phi_339_: bool;
-    var phi_349_: u32;
-    var phi_350_: u32;
-    var phi_352_: bool;
-    var phi_357_: u32;
-    var phi_369_: i32;
-    var phi_389_: i32;
-    var phi_407_: f32;
-    var phi_413_: f32;
-    var phi_424_: f32;
-    var phi_430_: f32;
-    var phi_453_: f32;
-    var phi_464_: f32;
-    var phi_473_: f32;
-    var phi_479_: f32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_519_: f32;
-    var phi_530_: f32;
+    var phi_330_: i32;
+    var phi_331_: i32;
+    var phi_341_: bool;
+    var phi_351_: u32;
+    var phi_352_: u32;
+    var phi_354_: bool;
+    var phi_359_: u32;
+    var phi_371_: i32;
+    var phi_391_: i32;
+    var phi_409_: f32;
+    var phi_415_: f32;
+    var phi_455_: f32;
+    var phi_461_: f32;
+    var phi_513_: f32;
+    var phi_524_: f32;
+    var phi_533_: f32;
     var phi_539_: f32;
-    var phi_545_: f32;
-    var phi_556_: f32;
-    var phi_562_: f32;
+    var phi_579_: f32;
     var phi_585_: f32;
-    var phi_596_: f32;
-    var phi_696_: f32;
-    var phi_697_: f32;
-    var phi_2906_: bool;
-    var phi_770_: type_37;
-    var phi_773_: type_48;
-    var phi_775_: u32;
-    var phi_777_: bool;
-    var phi_779_: u32;
-    var phi_790_: bool;
-    var phi_876_: type_48;
-    var phi_877_: bool;
-    var phi_878_: u32;
-    var phi_1904_: type_41;
-    var phi_2736_: type_48;
-    var phi_2813_: type_48;
-    var phi_2814_: type_48;
-    var phi_2815_: u32;
-    var phi_2817_: type_48;
-    var phi_2818_: u32;
-    var phi_2819_: bool;
-    var phi_2826_: type_48;
-    var phi_2831_: type_48;
-    var phi_2832_: bool;
-    var phi_896_: type_37;
-    var phi_899_: type_7;
-    var phi_900_: type_7;
-    var phi_922_: type_7;
-    var phi_943_: u32;
-    var phi_1032_: array<array<f32, 3>, 3>;
-    var phi_1149_: bool;
-    var phi_1178_: bool;
-    var phi_1579_: f32;
-    var phi_1580_: f32;
-    var phi_1581_: f32;
-    var phi_1582_: f32;
-    var phi_1583_: vec3<f32>;
-    var phi_1584_: vec3<f32>;
-    var phi_1585_: vec3<f32>;
-    var phi_1586_: vec3<f32>;
-    var phi_1617_: bool;
-    var phi_1626_: vec3<f32>;
-    var phi_1791_: f32;
-    var phi_1793_: f32;
-    var phi_1794_: bool;
-    var phi_1814_: f32;
-    var phi_1815_: f32;
-    var phi_1838_: type_25;
-    var phi_1840_: type_25;
-    var phi_1841_: bool;
-    var phi_1845_: type_25;
-    var phi_1846_: type_25;
-    var phi_1847_: type_25;
-    var phi_1848_: bool;
-    var phi_1852_: type_25;
-    var phi_1853_: bool;
-    var phi_1854_: type_25;
-    var phi_1855_: bool;
-    var phi_1856_: bool;
-    var phi_1857_: type_25;
-    var phi_1858_: bool;
-    var phi_1859_: bool;
-    var phi_1867_: type_25;
-    var phi_1868_: bool;
-    var phi_1872_: type_25;
-    var phi_1883_: type_37;
-    var phi_1884_: type_37;
-    var phi_897_: type_37;
-    var phi_2900_: bool;
+    var phi_637_: f32;
+    var phi_648_: f32;
+    var phi_657_: f32;
+    var phi_663_: f32;
+    var phi_703_: f32;
+    var phi_709_: f32;
+    var phi_761_: f32;
+    var phi_772_: f32;
+    var phi_827_: i32;
+    var phi_849_: u32;
+    var phi_850_: u32;
+    var phi_887_: i32;
+    var phi_909_: u32;
+    var phi_910_: u32;
+    var phi_918_: f32;
+    var phi_919_: f32;
+    var phi_3152_: bool;
+    var phi_992_: type_37;
+    var phi_995_: type_48;
+    var phi_997_: u32;
+    var phi_999_: bool;
+    var phi_1001_: u32;
+    var phi_1012_: bool;
+    var phi_1098_: type_48;
+    var phi_1099_: bool;
+    var phi_1100_: u32;
+    var phi_2126_: type_41;
+    var phi_2982_: type_48;
+    var phi_3059_: type_48;
+    var phi_3060_: type_48;
+    var phi_3061_: u32;
+    var phi_3063_: type_48;
+    var phi_3064_: u32;
+    var phi_3065_: bool;
+    var phi_3072_: type_48;
+    var phi_3077_: type_48;
+    var phi_3078_: bool;
+    var phi_1118_: type_37;
+    var phi_1121_: type_7;
+    var phi_1122_: type_7;
+    var phi_1144_: type_7;
+    var phi_1165_: u32;
+    var phi_1254_: array<array<f32, 3>, 3>;
+    var phi_1371_: bool;
+    var phi_1400_: bool;
+    var phi_1801_: f32;
+    var phi_1802_: f32;
+    var phi_1803_: f32;
+    var phi_1804_: f32;
+    var phi_1805_: vec3<f32>;
+    var phi_1806_: vec3<f32>;
+    var phi_1807_: vec3<f32>;
+    var phi_1808_: vec3<f32>;
+    var phi_1839_: bool;
+    var phi_1848_: vec3<f32>;
+    var phi_2013_: f32;
+    var phi_2015_: f32;
+    var phi_2016_: bool;
+    var phi_2036_: f32;
+    var phi_2037_: f32;
+    var phi_2060_: type_25;
+    var phi_2062_: type_25;
+    var phi_2063_: bool;
+    var phi_2067_: type_25;
+    var phi_2068_: type_25;
+    var phi_2069_: type_25;
+    var phi_2070_: bool;
+    var phi_2074_: type_25;
+    var phi_2075_: bool;
+    var phi_2076_: type_25;
+    var phi_2077_: bool;
+    var phi_2078_: bool;
+    var phi_2079_: type_25;
+    var phi_2080_: bool;
+    var phi_2081_: bool;
+    var phi_2089_: type_25;
+    var phi_2090_: bool;
+    var phi_2094_: type_25;
+    var phi_2105_: type_37;
+    var phi_2106_: type_37;
+    var phi_1119_: type_37;
+    var phi_3146_: bool;
     var local_10: type_37;
-    var phi_3043_: bool;
-    var phi_2834_: type_37;
-    var phi_2835_: type_48;
-    var phi_2836_: bool;
-    var phi_2837_: u32;
-    var phi_3042_: bool;
-    var phi_2838_: type_37;
-    var phi_2839_: type_48;
-    var phi_2840_: u32;
-    var phi_2841_: bool;
-    var phi_2842_: u32;
-    var phi_3041_: bool;
-    var phi_2843_: type_37;
-    var phi_2844_: type_48;
-    var phi_2845_: u32;
-    var phi_2846_: bool;
-    var phi_2847_: u32;
-    var phi_3040_: bool;
-    var phi_771_: type_37;
-    var phi_774_: type_48;
-    var phi_776_: u32;
-    var phi_778_: bool;
-    var phi_780_: u32;
-    var phi_2848_: bool;
-    var phi_3039_: bool;
+    var phi_3307_: bool;
+    var phi_3080_: type_37;
+    var phi_3081_: type_48;
+    var phi_3082_: bool;
+    var phi_3083_: u32;
+    var phi_3306_: bool;
+    var phi_3084_: type_37;
+    var phi_3085_: type_48;
+    var phi_3086_: u32;
+    var phi_3087_: bool;
+    var phi_3088_: u32;
+    var phi_3305_: bool;
+    var phi_3089_: type_37;
+    var phi_3090_: type_48;
+    var phi_3091_: u32;
+    var phi_3092_: bool;
+    var phi_3093_: u32;
+    var phi_3304_: bool;
+    var phi_993_: type_37;
+    var phi_996_: type_48;
+    var phi_998_: u32;
+    var phi_1000_: bool;
+    var phi_1002_: u32;
+    var phi_3094_: bool;
+    var phi_3303_: bool;
     var local_11: type_37;
     var local_12: type_37;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e77 = global;
-            let _e80 = arrayLength((&global_6.member));
-            let _e82 = arrayLength((&global_2.member));
-            let _e90 = global_3.member[0u][0u];
-            let _e94 = global_3.member[0u][1u];
-            let _e98 = global_3.member[0u][2u];
-            let _e102 = global_3.member[1u][0u];
-            let _e106 = global_3.member[1u][1u];
-            let _e110 = global_3.member[1u][2u];
-            let _e114 = global_3.member[1u][3u];
-            let _e117 = global_1.member[0u];
-            let _e118 = bitcast<i32>(_e117);
-            let _e128 = (_e77.x + (_e77.y * 2097152u));
-            let _e129 = (_e128 < arrayLength((&global_4.member)));
-            if _e129 {
-                let _e130 = (_e128 < arrayLength((&global_5.member)));
-                if _e130 {
-                    if _e129 {
+            let _e81 = global;
+            let _e84 = arrayLength((&global_6.member));
+            let _e86 = arrayLength((&global_2.member));
+            let _e94 = global_3.member[0u][0u];
+            let _e98 = global_3.member[0u][1u];
+            let _e102 = global_3.member[0u][2u];
+            let _e106 = global_3.member[1u][0u];
+            let _e110 = global_3.member[1u][1u];
+            let _e114 = global_3.member[1u][2u];
+            let _e118 = global_3.member[1u][3u];
+            let _e121 = global_1.member[0u];
+            let _e122 = bitcast<i32>(_e121);
+            let _e132 = (_e81.x + (_e81.y * 2097152u));
+            let _e133 = (_e132 < arrayLength((&global_4.member)));
+            if _e133 {
+                let _e134 = (_e132 < arrayLength((&global_5.member)));
+                if _e134 {
+                    if _e133 {
                     } else {
                         break;
                     }
-                    let _e138 = global_4.member[_e128].member_2[0u];
-                    let _e140 = (bitcast<u32>(_e138) & 2147483647u);
-                    let _e145 = global_4.member[_e128].member_2[1u];
-                    let _e147 = (bitcast<u32>(_e145) & 2147483647u);
-                    let _e152 = global_4.member[_e128].member_2[2u];
-                    let _e154 = (bitcast<u32>(_e152) & 2147483647u);
-                    let _e159 = global_4.member[_e128].member[0u];
-                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
-                    let _e166 = global_4.member[_e128].member[1u];
-                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
-                    let _e173 = global_4.member[_e128].member[2u];
-                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
-                    let _e177 = select(_e147, _e140, (_e147 < _e140));
-                    let _e179 = select(_e154, _e177, (_e154 < _e177));
-                    let _e181 = select(_e161, _e179, (_e161 < _e179));
-                    let _e183 = select(_e168, _e181, (_e168 < _e181));
-                    let _e185 = select(_e175, _e183, (_e175 < _e183));
-                    let _e189 = global_4.member[_e128].member_1;
-                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
-                    let _e198 = global_4.member[_e128].member_3;
-                    let _e204 = (((select(_e191, _e185, (_e191 < _e185)) < 2139095040u) && ((bitcast<u32>(_e198) & 2147483647u) <= 2139095040u)) && (_e179 > 0u));
-                    if _e204 {
-                        let _e207 = (bitcast<u32>(bitcast<f32>(_e179)) & 2147483647u);
-                        if (_e207 >= 8388608u) {
-                            phi_328_ = (bitcast<i32>((_e207 >> bitcast<u32>(23i))) - 127i);
+                    let _e142 = global_4.member[_e132].member_2[0u];
+                    let _e144 = (bitcast<u32>(_e142) & 2147483647u);
+                    let _e149 = global_4.member[_e132].member_2[1u];
+                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
+                    let _e156 = global_4.member[_e132].member_2[2u];
+                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
+                    let _e163 = global_4.member[_e132].member[0u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_4.member[_e132].member[1u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_4.member[_e132].member[2u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e181 = select(_e151, _e144, (_e151 < _e144));
+                    let _e183 = select(_e158, _e181, (_e158 < _e181));
+                    let _e185 = select(_e165, _e183, (_e165 < _e183));
+                    let _e187 = select(_e172, _e185, (_e172 < _e185));
+                    let _e189 = select(_e179, _e187, (_e179 < _e187));
+                    let _e193 = global_4.member[_e132].member_1;
+                    let _e194 = bitcast<u32>(_e193);
+                    let _e195 = (_e194 & 2147483647u);
+                    let _e202 = global_4.member[_e132].member_3;
+                    let _e203 = bitcast<u32>(_e202);
+                    let _e204 = (_e203 & 2147483647u);
+                    let _e208 = (((select(_e195, _e189, (_e195 < _e189)) < 2139095040u) && (_e204 <= 2139095040u)) && (_e183 > 0u));
+                    if _e208 {
+                        let _e211 = (bitcast<u32>(bitcast<f32>(_e183)) & 2147483647u);
+                        if (_e211 >= 8388608u) {
+                            phi_330_ = (bitcast<i32>((_e211 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_328_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e207)), 32u, (_e207 == 0u))));
+                            phi_330_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e211)), 32u, (_e211 == 0u))));
                         }
-                        let _e221 = phi_328_;
-                        phi_329_ = _e221;
+                        let _e225 = phi_330_;
+                        phi_331_ = _e225;
                     } else {
-                        phi_329_ = 0i;
+                        phi_331_ = 0i;
                     }
-                    let _e223 = phi_329_;
-                    let _e224 = (_e140 == _e179);
-                    if _e224 {
-                        phi_339_ = true;
+                    let _e227 = phi_331_;
+                    let _e228 = (_e144 == _e183);
+                    if _e228 {
+                        phi_341_ = true;
                     } else {
-                        phi_339_ = (_e147 == _e179);
+                        phi_341_ = (_e151 == _e183);
                     }
-                    let _e227 = phi_339_;
-                    let _e228 = select(1u, 0u, _e224);
-                    if _e227 {
-                        let _e229 = (_e228 + 1u);
-                        phi_349_ = _e229;
-                        phi_350_ = _e229;
-                        phi_352_ = select(true, false, (_e229 == 2u));
+                    let _e231 = phi_341_;
+                    let _e232 = select(1u, 0u, _e228);
+                    if _e231 {
+                        let _e233 = (_e232 + 1u);
+                        phi_351_ = _e233;
+                        phi_352_ = _e233;
+                        phi_354_ = select(true, false, (_e233 == 2u));
                     } else {
-                        phi_349_ = u32();
-                        phi_350_ = 0u;
-                        phi_352_ = true;
+                        phi_351_ = u32();
+                        phi_352_ = 0u;
+                        phi_354_ = true;
                     }
-                    let _e233 = phi_349_;
-                    let _e235 = phi_350_;
-                    let _e237 = phi_352_;
-                    if _e237 {
-                        phi_357_ = (_e235 + 1u);
+                    let _e237 = phi_351_;
+                    let _e239 = phi_352_;
+                    let _e241 = phi_354_;
+                    if _e241 {
+                        phi_359_ = (_e239 + 1u);
                     } else {
-                        phi_357_ = 0u;
+                        phi_359_ = 0u;
                     }
-                    let _e241 = phi_357_;
-                    let _e242 = select(_e233, _e235, _e237);
-                    let _e243 = select(_e228, select(2u, _e228, _e227), _e237);
-                    if (_e118 < -126i) {
-                        phi_369_ = -126i;
+                    let _e245 = phi_359_;
+                    let _e246 = select(_e237, _e239, _e241);
+                    let _e247 = select(_e232, select(2u, _e232, _e231), _e241);
+                    if (_e122 < -126i) {
+                        phi_371_ = -126i;
                     } else {
-                        phi_369_ = select(_e118, 127i, (_e118 > 127i));
+                        phi_371_ = select(_e122, 127i, (_e122 > 127i));
                     }
-                    let _e248 = phi_369_;
-                    let _e253 = bitcast<f32>((bitcast<u32>((_e248 + 127i)) << bitcast<u32>(23i)));
-                    let _e259 = bitcast<f32>((bitcast<u32>(((_e118 - _e248) + 127i)) << bitcast<u32>(23i)));
-                    let _e260 = -(_e223);
-                    if (_e260 < -126i) {
-                        phi_389_ = -126i;
+                    let _e252 = phi_371_;
+                    let _e257 = bitcast<f32>((bitcast<u32>((_e252 + 127i)) << bitcast<u32>(23i)));
+                    let _e263 = bitcast<f32>((bitcast<u32>(((_e122 - _e252) + 127i)) << bitcast<u32>(23i)));
+                    let _e264 = -(_e227);
+                    if (_e264 < -126i) {
+                        phi_391_ = -126i;
                     } else {
-                        phi_389_ = select(_e260, 127i, (_e260 > 127i));
+                        phi_391_ = select(_e264, 127i, (_e264 > 127i));
                     }
-                    let _e265 = phi_389_;
-                    let _e270 = bitcast<f32>((bitcast<u32>((_e265 + 127i)) << bitcast<u32>(23i)));
-                    let _e276 = bitcast<f32>((bitcast<u32>(((_e260 - _e265) + 127i)) << bitcast<u32>(23i)));
-                    let _e280 = global_4.member[_e128].member;
-                    let _e281 = (_e242 == 0u);
-                    if _e281 {
-                        phi_407_ = _e280[0];
+                    let _e269 = phi_391_;
+                    let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
+                    let _e280 = bitcast<f32>((bitcast<u32>(((_e264 - _e269) + 127i)) << bitcast<u32>(23i)));
+                    let _e284 = global_4.member[_e132].member;
+                    let _e285 = (_e246 == 0u);
+                    if _e285 {
+                        phi_409_ = _e284[0];
                     } else {
-                        phi_407_ = _e280[1];
+                        phi_409_ = _e284[1];
                     }
-                    let _e285 = phi_407_;
-                    let _e286 = (_e242 == 2u);
-                    if _e286 {
-                        phi_413_ = _e280[2];
+                    let _e289 = phi_409_;
+                    let _e290 = (_e246 == 2u);
+                    if _e290 {
+                        phi_415_ = _e284[2];
                     } else {
-                        phi_413_ = _e285;
+                        phi_415_ = _e289;
                     }
-                    let _e289 = phi_413_;
-                    let _e291 = ((_e289 * _e253) * _e259);
-                    let _e292 = global_4.member[_e128].member_2;
-                    if _e281 {
-                        phi_424_ = _e292[0];
+                    let _e293 = phi_415_;
+                    let _e294 = bitcast<u32>(_e293);
+                    let _e296 = ((_e294 & 2139095040u) != 0u);
+                    let _e310 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e294 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e294 & 2147483648u))), _e293, _e296) * _e257) * select(0.00000011920929f, 1f, _e296)) * _e263);
+                    let _e311 = global_4.member[_e132].member_2;
+                    if _e285 {
+                        phi_455_ = _e311[0];
                     } else {
-                        phi_424_ = _e292[1];
+                        phi_455_ = _e311[1];
                     }
-                    let _e296 = phi_424_;
-                    if _e286 {
-                        phi_430_ = _e292[2];
+                    let _e315 = phi_455_;
+                    if _e290 {
+                        phi_461_ = _e311[2];
                     } else {
-                        phi_430_ = _e296;
+                        phi_461_ = _e315;
                     }
-                    let _e299 = phi_430_;
-                    let _e301 = ((_e299 * _e270) * _e276);
-                    let _e305 = (bitcast<f32>((bitcast<u32>(_e301) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e305 {
-                        let _e309 = (bitcast<f32>((bitcast<u32>(_e291) & 2147483647u)) * 0.00000011920929f);
-                        phi_453_ = select(0.00000000000011368684f, _e309, (_e309 > 0.00000000000011368684f));
+                    let _e318 = phi_461_;
+                    let _e319 = bitcast<u32>(_e318);
+                    let _e321 = ((_e319 & 2139095040u) != 0u);
+                    let _e335 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e319 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e319 & 2147483648u))), _e318, _e321) * _e274) * select(0.00000011920929f, 1f, _e321)) * _e280);
+                    let _e339 = (bitcast<f32>((bitcast<u32>(_e335) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e339 {
+                        let _e343 = (bitcast<f32>((bitcast<u32>(_e310) & 2147483647u)) * 0.00000011920929f);
+                        phi_513_ = select(0.00000000000011368684f, _e343, (_e343 > 0.00000000000011368684f));
                     } else {
-                        phi_453_ = 0f;
+                        phi_513_ = 0f;
                     }
-                    let _e313 = phi_453_;
-                    let _e314 = (_e291 + _e313);
-                    let _e315 = (_e291 - _e313);
-                    let _e316 = select(_e301, 0f, _e305);
-                    if _e305 {
-                        phi_464_ = 38685626000000000000000000f;
+                    let _e347 = phi_513_;
+                    let _e348 = (_e310 + _e347);
+                    let _e349 = (_e310 - _e347);
+                    let _e350 = select(_e335, 0f, _e339);
+                    if _e339 {
+                        phi_524_ = 38685626000000000000000000f;
                     } else {
-                        phi_464_ = (1f / _e301);
+                        phi_524_ = (1f / _e335);
                     }
-                    let _e319 = phi_464_;
-                    let _e320 = (_e241 == 0u);
-                    if _e320 {
-                        phi_473_ = _e280[0];
+                    let _e353 = phi_524_;
+                    let _e354 = (_e245 == 0u);
+                    if _e354 {
+                        phi_533_ = _e284[0];
                     } else {
-                        phi_473_ = _e280[1];
+                        phi_533_ = _e284[1];
                     }
-                    let _e324 = phi_473_;
-                    let _e325 = (_e241 == 2u);
-                    if _e325 {
-                        phi_479_ = _e280[2];
+                    let _e358 = phi_533_;
+                    let _e359 = (_e245 == 2u);
+                    if _e359 {
+                        phi_539_ = _e284[2];
                     } else {
-                        phi_479_ = _e324;
-                    }
-                    let _e328 = phi_479_;
-                    let _e330 = ((_e328 * _e253) * _e259);
-                    if _e320 {
-                        phi_490_ = _e292[0];
-                    } else {
-                        phi_490_ = _e292[1];
-                    }
-                    let _e334 = phi_490_;
-                    if _e325 {
-                        phi_496_ = _e292[2];
-                    } else {
-                        phi_496_ = _e334;
-                    }
-                    let _e337 = phi_496_;
-                    let _e339 = ((_e337 * _e270) * _e276);
-                    let _e343 = (bitcast<f32>((bitcast<u32>(_e339) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e343 {
-                        let _e347 = (bitcast<f32>((bitcast<u32>(_e330) & 2147483647u)) * 0.00000011920929f);
-                        phi_519_ = select(0.00000000000011368684f, _e347, (_e347 > 0.00000000000011368684f));
-                    } else {
-                        phi_519_ = 0f;
-                    }
-                    let _e351 = phi_519_;
-                    let _e352 = (_e330 + _e351);
-                    let _e353 = (_e330 - _e351);
-                    let _e354 = select(_e339, 0f, _e343);
-                    if _e343 {
-                        phi_530_ = 38685626000000000000000000f;
-                    } else {
-                        phi_530_ = (1f / _e339);
-                    }
-                    let _e357 = phi_530_;
-                    let _e358 = (_e243 == 0u);
-                    if _e358 {
-                        phi_539_ = _e280[0];
-                    } else {
-                        phi_539_ = _e280[1];
+                        phi_539_ = _e358;
                     }
                     let _e362 = phi_539_;
-                    let _e363 = (_e243 == 2u);
-                    if _e363 {
-                        phi_545_ = _e280[2];
+                    let _e363 = bitcast<u32>(_e362);
+                    let _e365 = ((_e363 & 2139095040u) != 0u);
+                    let _e379 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e363 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e363 & 2147483648u))), _e362, _e365) * _e257) * select(0.00000011920929f, 1f, _e365)) * _e263);
+                    if _e354 {
+                        phi_579_ = _e311[0];
                     } else {
-                        phi_545_ = _e362;
+                        phi_579_ = _e311[1];
                     }
-                    let _e366 = phi_545_;
-                    let _e368 = ((_e366 * _e253) * _e259);
-                    if _e358 {
-                        phi_556_ = _e292[0];
+                    let _e383 = phi_579_;
+                    if _e359 {
+                        phi_585_ = _e311[2];
                     } else {
-                        phi_556_ = _e292[1];
+                        phi_585_ = _e383;
                     }
-                    let _e372 = phi_556_;
-                    if _e363 {
-                        phi_562_ = _e292[2];
+                    let _e386 = phi_585_;
+                    let _e387 = bitcast<u32>(_e386);
+                    let _e389 = ((_e387 & 2139095040u) != 0u);
+                    let _e403 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e387 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e387 & 2147483648u))), _e386, _e389) * _e274) * select(0.00000011920929f, 1f, _e389)) * _e280);
+                    let _e407 = (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e407 {
+                        let _e411 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
+                        phi_637_ = select(0.00000000000011368684f, _e411, (_e411 > 0.00000000000011368684f));
                     } else {
-                        phi_562_ = _e372;
+                        phi_637_ = 0f;
                     }
-                    let _e375 = phi_562_;
-                    let _e377 = ((_e375 * _e270) * _e276);
-                    let _e381 = (bitcast<f32>((bitcast<u32>(_e377) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e381 {
-                        let _e385 = (bitcast<f32>((bitcast<u32>(_e368) & 2147483647u)) * 0.00000011920929f);
-                        phi_585_ = select(0.00000000000011368684f, _e385, (_e385 > 0.00000000000011368684f));
+                    let _e415 = phi_637_;
+                    let _e416 = (_e379 + _e415);
+                    let _e417 = (_e379 - _e415);
+                    let _e418 = select(_e403, 0f, _e407);
+                    if _e407 {
+                        phi_648_ = 38685626000000000000000000f;
                     } else {
-                        phi_585_ = 0f;
+                        phi_648_ = (1f / _e403);
                     }
-                    let _e389 = phi_585_;
-                    let _e390 = (_e368 + _e389);
-                    let _e391 = (_e368 - _e389);
-                    let _e392 = select(_e377, 0f, _e381);
-                    if _e381 {
-                        phi_596_ = 38685626000000000000000000f;
+                    let _e421 = phi_648_;
+                    let _e422 = (_e247 == 0u);
+                    if _e422 {
+                        phi_657_ = _e284[0];
                     } else {
-                        phi_596_ = (1f / _e377);
+                        phi_657_ = _e284[1];
                     }
-                    let _e395 = phi_596_;
-                    let _e398 = bitcast<f32>((bitcast<u32>(_e291) & 2147483647u));
-                    let _e401 = bitcast<f32>((bitcast<u32>(_e330) & 2147483647u));
-                    let _e403 = select(_e401, _e398, (_e398 > _e401));
-                    let _e406 = bitcast<f32>((bitcast<u32>(_e368) & 2147483647u));
-                    let _e409 = (_e118 + _e223);
-                    if (_e204 && (select(_e406, _e403, (_e403 > _e406)) <= 1099511600000f)) {
-                        let _e412 = (_e409 / 3i);
-                        let _e419 = bitcast<f32>((bitcast<u32>((_e412 + 127i)) << bitcast<u32>(23i)));
-                        let _e426 = bitcast<f32>((bitcast<u32>(((_e409 - (2i * _e412)) + 127i)) << bitcast<u32>(23i)));
-                        let _e427 = (((_e189 * _e419) * _e419) * _e426);
-                        let _e429 = select(340282350000000000000000000000000000000f, _e427, (_e427 < 340282350000000000000000000000000000000f));
-                        let _e434 = (((_e198 * _e419) * _e419) * _e426);
-                        let _e436 = select(340282350000000000000000000000000000000f, _e434, (_e434 < 340282350000000000000000000000000000000f));
-                        phi_696_ = select(-340282350000000000000000000000000000000f, _e436, (_e436 > -340282350000000000000000000000000000000f));
-                        phi_697_ = select(-340282350000000000000000000000000000000f, _e429, (_e429 > -340282350000000000000000000000000000000f));
+                    let _e426 = phi_657_;
+                    let _e427 = (_e247 == 2u);
+                    if _e427 {
+                        phi_663_ = _e284[2];
                     } else {
-                        phi_696_ = 0f;
-                        phi_697_ = 1f;
+                        phi_663_ = _e426;
                     }
-                    let _e440 = phi_696_;
-                    let _e442 = phi_697_;
+                    let _e430 = phi_663_;
+                    let _e431 = bitcast<u32>(_e430);
+                    let _e433 = ((_e431 & 2139095040u) != 0u);
+                    let _e447 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e431 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e431 & 2147483648u))), _e430, _e433) * _e257) * select(0.00000011920929f, 1f, _e433)) * _e263);
+                    if _e422 {
+                        phi_703_ = _e311[0];
+                    } else {
+                        phi_703_ = _e311[1];
+                    }
+                    let _e451 = phi_703_;
+                    if _e427 {
+                        phi_709_ = _e311[2];
+                    } else {
+                        phi_709_ = _e451;
+                    }
+                    let _e454 = phi_709_;
+                    let _e455 = bitcast<u32>(_e454);
+                    let _e457 = ((_e455 & 2139095040u) != 0u);
+                    let _e471 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e455 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e455 & 2147483648u))), _e454, _e457) * _e274) * select(0.00000011920929f, 1f, _e457)) * _e280);
+                    let _e475 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e475 {
+                        let _e479 = (bitcast<f32>((bitcast<u32>(_e447) & 2147483647u)) * 0.00000011920929f);
+                        phi_761_ = select(0.00000000000011368684f, _e479, (_e479 > 0.00000000000011368684f));
+                    } else {
+                        phi_761_ = 0f;
+                    }
+                    let _e483 = phi_761_;
+                    let _e484 = (_e447 + _e483);
+                    let _e485 = (_e447 - _e483);
+                    let _e486 = select(_e471, 0f, _e475);
+                    if _e475 {
+                        phi_772_ = 38685626000000000000000000f;
+                    } else {
+                        phi_772_ = (1f / _e471);
+                    }
+                    let _e489 = phi_772_;
+                    let _e492 = bitcast<f32>((bitcast<u32>(_e310) & 2147483647u));
+                    let _e495 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
+                    let _e497 = select(_e495, _e492, (_e492 > _e495));
+                    let _e500 = bitcast<f32>((bitcast<u32>(_e447) & 2147483647u));
+                    let _e503 = (_e122 + _e227);
+                    if (_e208 && (select(_e500, _e497, (_e497 > _e500)) <= 1099511600000f)) {
+                        let _e513 = ((_e195 & 8388607u) | (select(0u, 1u, ((_e195 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e516 = bitcast<i32>((_e195 >> bitcast<u32>(23i)));
+                        let _e520 = (_e513 == 0u);
+                        let _e523 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e513)), 32u, _e520)) - 8i);
+                        if (_e516 == 255i) {
+                            phi_827_ = 255i;
+                        } else {
+                            phi_827_ = (((_e516 + select(0i, 1i, (_e516 == 0i))) - _e523) + _e503);
+                        }
+                        let _e531 = phi_827_;
+                        let _e541 = (_e531 <= 0i);
+                        if _e541 {
+                            phi_850_ = u32();
+                        } else {
+                            if _e520 {
+                                phi_849_ = u32();
+                            } else {
+                                phi_849_ = select(((bitcast<u32>(_e531) << bitcast<u32>(23i)) | ((_e513 << bitcast<u32>(((_e523 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e531 >= 255i));
+                            }
+                            let _e545 = phi_849_;
+                            phi_850_ = _e545;
+                        }
+                        let _e547 = phi_850_;
+                        let _e559 = ((_e204 & 8388607u) | (select(0u, 1u, ((_e204 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e562 = bitcast<i32>((_e204 >> bitcast<u32>(23i)));
+                        let _e566 = (_e559 == 0u);
+                        let _e569 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e559)), 32u, _e566)) - 8i);
+                        if (_e562 == 255i) {
+                            phi_887_ = 255i;
+                        } else {
+                            phi_887_ = (((_e562 + select(0i, 1i, (_e562 == 0i))) - _e569) + _e503);
+                        }
+                        let _e577 = phi_887_;
+                        let _e587 = (_e577 <= 0i);
+                        if _e587 {
+                            phi_910_ = u32();
+                        } else {
+                            if _e566 {
+                                phi_909_ = u32();
+                            } else {
+                                phi_909_ = select(((bitcast<u32>(_e577) << bitcast<u32>(23i)) | ((_e559 << bitcast<u32>(((_e569 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e577 >= 255i));
+                            }
+                            let _e591 = phi_909_;
+                            phi_910_ = _e591;
+                        }
+                        let _e593 = phi_910_;
+                        phi_918_ = bitcast<f32>(((_e203 & 2147483648u) | select(_e593, 0u, select(_e566, true, _e587))));
+                        phi_919_ = bitcast<f32>(((_e194 & 2147483648u) | select(_e547, 0u, select(_e520, true, _e541))));
+                    } else {
+                        phi_918_ = 0f;
+                        phi_919_ = 1f;
+                    }
+                    let _e599 = phi_918_;
+                    let _e601 = phi_919_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -486,849 +546,849 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e90), bitcast<f32>(_e94), bitcast<f32>(_e98));
-                    let _e447 = (_e242 % 3u);
-                    let _e448 = (_e447 < 3u);
-                    if _e448 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e94), bitcast<f32>(_e98), bitcast<f32>(_e102));
+                    let _e606 = (_e246 % 3u);
+                    let _e607 = (_e606 < 3u);
+                    if _e607 {
                     } else {
                         break;
                     }
-                    let _e450 = local_9[_e447];
-                    let _e451 = (_e241 % 3u);
-                    let _e452 = (_e451 < 3u);
-                    if _e452 {
+                    let _e609 = local_9[_e606];
+                    let _e610 = (_e245 % 3u);
+                    let _e611 = (_e610 < 3u);
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e454 = local_9[_e451];
-                    let _e455 = (_e243 % 3u);
-                    let _e456 = (_e455 < 3u);
-                    if _e456 {
+                    let _e613 = local_9[_e610];
+                    let _e614 = (_e247 % 3u);
+                    let _e615 = (_e614 < 3u);
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e458 = local_9[_e455];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e102), bitcast<f32>(_e106), bitcast<f32>(_e110));
-                    if _e448 {
+                    let _e617 = local_9[_e614];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e106), bitcast<f32>(_e110), bitcast<f32>(_e114));
+                    if _e607 {
                     } else {
                         break;
                     }
-                    let _e462 = local_8[_e447];
-                    if _e452 {
+                    let _e621 = local_8[_e606];
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e464 = local_8[_e451];
-                    if _e456 {
+                    let _e623 = local_8[_e610];
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e466 = local_8[_e455];
-                    phi_2906_ = false;
-                    phi_770_ = type_37(_e440, false);
-                    phi_773_ = type_48(type_46(array<f32, 3>(_e450, _e454, _e458), array<f32, 3>(_e462, _e464, _e466)), select(0u, 2147483648u, (_e80 == 0u)));
-                    phi_775_ = ((3u * _e80) + 1u);
-                    phi_777_ = (_e442 <= _e440);
-                    phi_779_ = 0u;
+                    let _e625 = local_8[_e614];
+                    phi_3152_ = false;
+                    phi_992_ = type_37(_e599, false);
+                    phi_995_ = type_48(type_46(array<f32, 3>(_e609, _e613, _e617), array<f32, 3>(_e621, _e623, _e625)), select(0u, 2147483648u, (_e84 == 0u)));
+                    phi_997_ = ((3u * _e84) + 1u);
+                    phi_999_ = (_e601 <= _e599);
+                    phi_1001_ = 0u;
                     loop {
-                        let _e474 = phi_2906_;
-                        let _e476 = phi_770_;
-                        let _e478 = phi_773_;
-                        let _e480 = phi_775_;
-                        let _e482 = phi_777_;
-                        let _e484 = phi_779_;
-                        local_11 = _e476;
-                        if _e482 {
-                            phi_790_ = true;
+                        let _e633 = phi_3152_;
+                        let _e635 = phi_992_;
+                        let _e637 = phi_995_;
+                        let _e639 = phi_997_;
+                        let _e641 = phi_999_;
+                        let _e643 = phi_1001_;
+                        local_11 = _e635;
+                        if _e641 {
+                            phi_1012_ = true;
                         } else {
-                            phi_790_ = (_e484 > 0u);
+                            phi_1012_ = (_e643 > 0u);
                         }
-                        let _e487 = phi_790_;
-                        if _e487 {
-                            let _e488 = (_e480 > 0u);
-                            if _e488 {
-                                if _e482 {
-                                    phi_876_ = _e478;
-                                    phi_877_ = _e482;
-                                    phi_878_ = _e484;
+                        let _e646 = phi_1012_;
+                        if _e646 {
+                            let _e647 = (_e639 > 0u);
+                            if _e647 {
+                                if _e641 {
+                                    phi_1098_ = _e637;
+                                    phi_1099_ = _e641;
+                                    phi_1100_ = _e643;
                                 } else {
-                                    let _e489 = (_e484 - 1u);
-                                    let _e490 = (_e489 % 128u);
-                                    let _e491 = (_e490 < 128u);
-                                    if _e491 {
+                                    let _e648 = (_e643 - 1u);
+                                    let _e649 = (_e648 % 128u);
+                                    let _e650 = (_e649 < 128u);
+                                    if _e650 {
                                     } else {
-                                        phi_3039_ = true;
+                                        phi_3303_ = true;
                                         break;
                                     }
-                                    let _e493 = local_6[_e490];
-                                    if _e491 {
+                                    let _e652 = local_6[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3039_ = true;
+                                        phi_3303_ = true;
                                         break;
                                     }
-                                    let _e495 = local_5[_e490];
-                                    if _e491 {
+                                    let _e654 = local_5[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3039_ = true;
+                                        phi_3303_ = true;
                                         break;
                                     }
-                                    let _e497 = local_4[_e490];
-                                    if _e491 {
+                                    let _e656 = local_4[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3039_ = true;
+                                        phi_3303_ = true;
                                         break;
                                     }
-                                    let _e499 = local_3[_e490];
-                                    if _e491 {
+                                    let _e658 = local_3[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3039_ = true;
+                                        phi_3303_ = true;
                                         break;
                                     }
-                                    let _e502 = local_2[_e490];
-                                    if _e491 {
+                                    let _e661 = local_2[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3039_ = true;
+                                        phi_3303_ = true;
                                         break;
                                     }
-                                    let _e504 = local_1[_e490];
-                                    if _e491 {
+                                    let _e663 = local_1[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3039_ = true;
+                                        phi_3303_ = true;
                                         break;
                                     }
-                                    let _e506 = local[_e490];
-                                    if _e491 {
+                                    let _e665 = local[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3039_ = true;
+                                        phi_3303_ = true;
                                         break;
                                     }
-                                    let _e511 = local_7[_e490];
-                                    phi_876_ = type_48(type_46(array<f32, 3>(_e495, _e497, _e499), array<f32, 3>(_e502, _e504, _e506)), _e493);
-                                    phi_877_ = (_e511 <= _e476.member);
-                                    phi_878_ = _e489;
+                                    let _e670 = local_7[_e649];
+                                    phi_1098_ = type_48(type_46(array<f32, 3>(_e654, _e656, _e658), array<f32, 3>(_e661, _e663, _e665)), _e652);
+                                    phi_1099_ = (_e670 <= _e635.member);
+                                    phi_1100_ = _e648;
                                 }
-                                let _e515 = phi_876_;
-                                let _e517 = phi_877_;
-                                let _e519 = phi_878_;
-                                if _e517 {
-                                    if ((_e515.member_1 & 2147483648u) != 0u) {
-                                        phi_896_ = _e476;
-                                        phi_899_ = type_7(0u, ((_e515.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e674 = phi_1098_;
+                                let _e676 = phi_1099_;
+                                let _e678 = phi_1100_;
+                                if _e676 {
+                                    if ((_e674.member_1 & 2147483648u) != 0u) {
+                                        phi_1118_ = _e635;
+                                        phi_1121_ = type_7(0u, ((_e674.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e871 = phi_896_;
-                                            let _e873 = phi_899_;
-                                            local_10 = _e871;
-                                            local_12 = _e871;
-                                            if (_e873.member < _e873.member_1) {
-                                                phi_900_ = type_7((_e873.member + 1u), _e873.member_1);
-                                                phi_922_ = type_7(1u, _e873.member);
+                                            let _e1054 = phi_1118_;
+                                            let _e1056 = phi_1121_;
+                                            local_10 = _e1054;
+                                            local_12 = _e1054;
+                                            if (_e1056.member < _e1056.member_1) {
+                                                phi_1122_ = type_7((_e1056.member + 1u), _e1056.member_1);
+                                                phi_1144_ = type_7(1u, _e1056.member);
                                             } else {
-                                                phi_900_ = _e873;
-                                                phi_922_ = type_7(0u, type_7().member_1);
+                                                phi_1122_ = _e1056;
+                                                phi_1144_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e886 = phi_900_;
-                                            let _e888 = phi_922_;
-                                            let _e892 = (bitcast<i32>(_e888.member) != 0i);
-                                            if _e892 {
-                                                let _e893 = ((_e515.member_1 & 268435455u) + _e888.member_1);
-                                                let _e894 = (_e893 < _e82);
-                                                if _e894 {
-                                                    if _e894 {
+                                            let _e1069 = phi_1122_;
+                                            let _e1071 = phi_1144_;
+                                            let _e1075 = (bitcast<i32>(_e1071.member) != 0i);
+                                            if _e1075 {
+                                                let _e1076 = ((_e674.member_1 & 268435455u) + _e1071.member_1);
+                                                let _e1077 = (_e1076 < _e86);
+                                                if _e1077 {
+                                                    if _e1077 {
                                                     } else {
-                                                        phi_2900_ = true;
+                                                        phi_3146_ = true;
                                                         break;
                                                     }
-                                                    let _e898 = global_2.member[_e893].member_1;
-                                                    phi_943_ = _e898;
+                                                    let _e1081 = global_2.member[_e1076].member_1;
+                                                    phi_1165_ = _e1081;
                                                 } else {
-                                                    phi_943_ = 4294967295u;
+                                                    phi_1165_ = 4294967295u;
                                                 }
-                                                let _e900 = phi_943_;
-                                                if (_e893 >= _e82) {
-                                                    phi_1032_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1083 = phi_1165_;
+                                                if (_e1076 >= _e86) {
+                                                    phi_1254_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e894 {
+                                                    if _e1077 {
                                                     } else {
-                                                        phi_2900_ = true;
+                                                        phi_3146_ = true;
                                                         break;
                                                     }
-                                                    if (_e447 < 9u) {
+                                                    if (_e606 < 9u) {
                                                     } else {
-                                                        phi_2900_ = true;
+                                                        phi_3146_ = true;
                                                         break;
                                                     }
-                                                    let _e907 = global_2.member[_e893].member[_e447];
-                                                    if (_e451 < 9u) {
+                                                    let _e1090 = global_2.member[_e1076].member[_e606];
+                                                    if (_e610 < 9u) {
                                                     } else {
-                                                        phi_2900_ = true;
+                                                        phi_3146_ = true;
                                                         break;
                                                     }
-                                                    let _e913 = global_2.member[_e893].member[_e451];
-                                                    if (_e455 < 9u) {
+                                                    let _e1096 = global_2.member[_e1076].member[_e610];
+                                                    if (_e614 < 9u) {
                                                     } else {
-                                                        phi_2900_ = true;
+                                                        phi_3146_ = true;
                                                         break;
                                                     }
-                                                    let _e919 = global_2.member[_e893].member[_e455];
-                                                    let _e921 = (3u + _e447);
-                                                    if (_e921 < 9u) {
+                                                    let _e1102 = global_2.member[_e1076].member[_e614];
+                                                    let _e1104 = (3u + _e606);
+                                                    if (_e1104 < 9u) {
                                                     } else {
-                                                        phi_2900_ = true;
+                                                        phi_3146_ = true;
                                                         break;
                                                     }
-                                                    let _e927 = global_2.member[_e893].member[_e921];
-                                                    let _e928 = (3u + _e451);
-                                                    if (_e928 < 9u) {
+                                                    let _e1110 = global_2.member[_e1076].member[_e1104];
+                                                    let _e1111 = (3u + _e610);
+                                                    if (_e1111 < 9u) {
                                                     } else {
-                                                        phi_2900_ = true;
+                                                        phi_3146_ = true;
                                                         break;
                                                     }
-                                                    let _e934 = global_2.member[_e893].member[_e928];
-                                                    let _e935 = (3u + _e455);
-                                                    if (_e935 < 9u) {
+                                                    let _e1117 = global_2.member[_e1076].member[_e1111];
+                                                    let _e1118 = (3u + _e614);
+                                                    if (_e1118 < 9u) {
                                                     } else {
-                                                        phi_2900_ = true;
+                                                        phi_3146_ = true;
                                                         break;
                                                     }
-                                                    let _e941 = global_2.member[_e893].member[_e935];
-                                                    let _e943 = (6u + _e447);
-                                                    if (_e943 < 9u) {
+                                                    let _e1124 = global_2.member[_e1076].member[_e1118];
+                                                    let _e1126 = (6u + _e606);
+                                                    if (_e1126 < 9u) {
                                                     } else {
-                                                        phi_2900_ = true;
+                                                        phi_3146_ = true;
                                                         break;
                                                     }
-                                                    let _e949 = global_2.member[_e893].member[_e943];
-                                                    let _e950 = (6u + _e451);
-                                                    if (_e950 < 9u) {
+                                                    let _e1132 = global_2.member[_e1076].member[_e1126];
+                                                    let _e1133 = (6u + _e610);
+                                                    if (_e1133 < 9u) {
                                                     } else {
-                                                        phi_2900_ = true;
+                                                        phi_3146_ = true;
                                                         break;
                                                     }
-                                                    let _e956 = global_2.member[_e893].member[_e950];
-                                                    let _e957 = (6u + _e455);
-                                                    if (_e957 < 9u) {
+                                                    let _e1139 = global_2.member[_e1076].member[_e1133];
+                                                    let _e1140 = (6u + _e614);
+                                                    if (_e1140 < 9u) {
                                                     } else {
-                                                        phi_2900_ = true;
+                                                        phi_3146_ = true;
                                                         break;
                                                     }
-                                                    let _e963 = global_2.member[_e893].member[_e957];
-                                                    phi_1032_ = array<array<f32, 3>, 3>(array<f32, 3>(_e907, _e913, _e919), array<f32, 3>(_e927, _e934, _e941), array<f32, 3>(_e949, _e956, _e963));
+                                                    let _e1146 = global_2.member[_e1076].member[_e1140];
+                                                    phi_1254_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1090, _e1096, _e1102), array<f32, 3>(_e1110, _e1117, _e1124), array<f32, 3>(_e1132, _e1139, _e1146));
                                                 }
-                                                let _e967 = phi_1032_;
-                                                let _e975 = (_e967[0][2] - _e368);
-                                                let _e978 = (((_e967[0][0] - _e291) * _e392) - (_e975 * _e316));
-                                                let _e981 = (((_e967[0][1] - _e330) * _e392) - (_e975 * _e354));
-                                                let _e988 = (_e967[1][2] - _e368);
-                                                let _e991 = (((_e967[1][0] - _e291) * _e392) - (_e988 * _e316));
-                                                let _e994 = (((_e967[1][1] - _e330) * _e392) - (_e988 * _e354));
-                                                let _e1001 = (_e967[2][2] - _e368);
-                                                let _e1004 = (((_e967[2][0] - _e291) * _e392) - (_e1001 * _e316));
-                                                let _e1007 = (((_e967[2][1] - _e330) * _e392) - (_e1001 * _e354));
-                                                let _e1008 = (_e1004 * _e994);
-                                                let _e1009 = (_e1007 * _e991);
-                                                let _e1010 = (_e978 * _e1007);
-                                                let _e1011 = (_e981 * _e1004);
-                                                let _e1012 = (_e991 * _e981);
-                                                let _e1013 = (_e994 * _e978);
-                                                let _e1018 = (((_e1008 >= _e1009) && (_e1010 >= _e1011)) && (_e1012 >= _e1013));
-                                                if (_e1018 || (((_e1008 <= _e1009) && (_e1010 <= _e1011)) && (_e1012 <= _e1013))) {
-                                                    let _e1025 = select(-1f, 1f, _e1018);
-                                                    let _e1027 = ((_e1008 - _e1009) * _e1025);
-                                                    let _e1029 = select(0f, _e1027, (_e1027 > 0f));
-                                                    let _e1031 = ((_e1010 - _e1011) * _e1025);
-                                                    let _e1033 = select(0f, _e1031, (_e1031 > 0f));
-                                                    let _e1035 = ((_e1012 - _e1013) * _e1025);
-                                                    let _e1037 = select(0f, _e1035, (_e1035 > 0f));
-                                                    let _e1039 = ((_e1029 + _e1033) + _e1037);
-                                                    if (_e1039 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1857_ = type_25();
-                                                        phi_1858_ = true;
-                                                        phi_1859_ = false;
+                                                let _e1150 = phi_1254_;
+                                                let _e1158 = (_e1150[0][2] - _e447);
+                                                let _e1161 = (((_e1150[0][0] - _e310) * _e486) - (_e1158 * _e350));
+                                                let _e1164 = (((_e1150[0][1] - _e379) * _e486) - (_e1158 * _e418));
+                                                let _e1171 = (_e1150[1][2] - _e447);
+                                                let _e1174 = (((_e1150[1][0] - _e310) * _e486) - (_e1171 * _e350));
+                                                let _e1177 = (((_e1150[1][1] - _e379) * _e486) - (_e1171 * _e418));
+                                                let _e1184 = (_e1150[2][2] - _e447);
+                                                let _e1187 = (((_e1150[2][0] - _e310) * _e486) - (_e1184 * _e350));
+                                                let _e1190 = (((_e1150[2][1] - _e379) * _e486) - (_e1184 * _e418));
+                                                let _e1191 = (_e1187 * _e1177);
+                                                let _e1192 = (_e1190 * _e1174);
+                                                let _e1193 = (_e1161 * _e1190);
+                                                let _e1194 = (_e1164 * _e1187);
+                                                let _e1195 = (_e1174 * _e1164);
+                                                let _e1196 = (_e1177 * _e1161);
+                                                let _e1201 = (((_e1191 >= _e1192) && (_e1193 >= _e1194)) && (_e1195 >= _e1196));
+                                                if (_e1201 || (((_e1191 <= _e1192) && (_e1193 <= _e1194)) && (_e1195 <= _e1196))) {
+                                                    let _e1208 = select(-1f, 1f, _e1201);
+                                                    let _e1210 = ((_e1191 - _e1192) * _e1208);
+                                                    let _e1212 = select(0f, _e1210, (_e1210 > 0f));
+                                                    let _e1214 = ((_e1193 - _e1194) * _e1208);
+                                                    let _e1216 = select(0f, _e1214, (_e1214 > 0f));
+                                                    let _e1218 = ((_e1195 - _e1196) * _e1208);
+                                                    let _e1220 = select(0f, _e1218, (_e1218 > 0f));
+                                                    let _e1222 = ((_e1212 + _e1216) + _e1220);
+                                                    if (_e1222 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2079_ = type_25();
+                                                        phi_2080_ = true;
+                                                        phi_2081_ = false;
                                                     } else {
-                                                        let _e1042 = select(_e991, _e978, (_e978 < _e991));
-                                                        if (select(_e1004, _e1042, (_e1042 < _e1004)) > 0f) {
-                                                            phi_1149_ = true;
+                                                        let _e1225 = select(_e1174, _e1161, (_e1161 < _e1174));
+                                                        if (select(_e1187, _e1225, (_e1225 < _e1187)) > 0f) {
+                                                            phi_1371_ = true;
                                                         } else {
-                                                            let _e1047 = select(_e991, _e978, (_e978 > _e991));
-                                                            phi_1149_ = (select(_e1004, _e1047, (_e1047 > _e1004)) < 0f);
+                                                            let _e1230 = select(_e1174, _e1161, (_e1161 > _e1174));
+                                                            phi_1371_ = (select(_e1187, _e1230, (_e1230 > _e1187)) < 0f);
                                                         }
-                                                        let _e1052 = phi_1149_;
-                                                        if _e1052 {
-                                                            phi_1854_ = type_25();
-                                                            phi_1855_ = true;
-                                                            phi_1856_ = false;
+                                                        let _e1235 = phi_1371_;
+                                                        if _e1235 {
+                                                            phi_2076_ = type_25();
+                                                            phi_2077_ = true;
+                                                            phi_2078_ = false;
                                                         } else {
-                                                            let _e1054 = select(_e994, _e981, (_e981 < _e994));
-                                                            if (select(_e1007, _e1054, (_e1054 < _e1007)) > 0f) {
-                                                                phi_1178_ = true;
+                                                            let _e1237 = select(_e1177, _e1164, (_e1164 < _e1177));
+                                                            if (select(_e1190, _e1237, (_e1237 < _e1190)) > 0f) {
+                                                                phi_1400_ = true;
                                                             } else {
-                                                                let _e1059 = select(_e994, _e981, (_e981 > _e994));
-                                                                phi_1178_ = (select(_e1007, _e1059, (_e1059 > _e1007)) < 0f);
+                                                                let _e1242 = select(_e1177, _e1164, (_e1164 > _e1177));
+                                                                phi_1400_ = (select(_e1190, _e1242, (_e1242 > _e1190)) < 0f);
                                                             }
-                                                            let _e1064 = phi_1178_;
-                                                            if _e1064 {
-                                                                phi_1852_ = type_25();
-                                                                phi_1853_ = false;
+                                                            let _e1247 = phi_1400_;
+                                                            if _e1247 {
+                                                                phi_2074_ = type_25();
+                                                                phi_2075_ = false;
                                                             } else {
-                                                                let _e1066 = select(_e967[1][0], _e967[0][0], (_e967[0][0] < _e967[1][0]));
-                                                                let _e1070 = select(_e967[1][0], _e967[0][0], (_e967[0][0] > _e967[1][0]));
-                                                                let _e1074 = select(_e967[1][1], _e967[0][1], (_e967[0][1] < _e967[1][1]));
-                                                                let _e1078 = select(_e967[1][1], _e967[0][1], (_e967[0][1] > _e967[1][1]));
-                                                                let _e1082 = select(_e967[1][2], _e967[0][2], (_e967[0][2] < _e967[1][2]));
-                                                                let _e1086 = select(_e967[1][2], _e967[0][2], (_e967[0][2] > _e967[1][2]));
-                                                                let _e1091 = ((select(_e967[2][0], _e1066, (_e1066 < _e967[2][0])) - _e314) * _e319);
-                                                                let _e1092 = ((select(_e967[2][0], _e1070, (_e1070 > _e967[2][0])) - _e315) * _e319);
-                                                                let _e1095 = ((select(_e967[2][1], _e1074, (_e1074 < _e967[2][1])) - _e352) * _e357);
-                                                                let _e1096 = ((select(_e967[2][1], _e1078, (_e1078 > _e967[2][1])) - _e353) * _e357);
-                                                                let _e1099 = ((select(_e967[2][2], _e1082, (_e1082 < _e967[2][2])) - _e390) * _e395);
-                                                                let _e1100 = ((select(_e967[2][2], _e1086, (_e1086 > _e967[2][2])) - _e391) * _e395);
-                                                                let _e1102 = select(_e1100, _e1099, (_e1099 < _e1100));
-                                                                let _e1104 = select(_e1100, _e1099, (_e1099 > _e1100));
-                                                                let _e1106 = select(_e1092, _e1091, (_e1091 < _e1092));
-                                                                let _e1108 = select(_e1096, _e1095, (_e1095 < _e1096));
-                                                                let _e1110 = select(_e1108, _e1106, (_e1106 > _e1108));
-                                                                let _e1112 = select(_e1102, _e1110, (_e1110 > _e1102));
-                                                                let _e1114 = select(_e1092, _e1091, (_e1091 > _e1092));
-                                                                let _e1116 = select(_e1096, _e1095, (_e1095 > _e1096));
-                                                                let _e1118 = select(_e1116, _e1114, (_e1114 < _e1116));
-                                                                let _e1120 = select(_e1104, _e1118, (_e1118 < _e1104));
-                                                                let _e1121 = -(_e1102);
-                                                                let _e1127 = select(_e442, _e1112, (_e1112 > _e442));
-                                                                if (_e1127 > (_e1120 + (select(_e1121, _e1104, (_e1104 > _e1121)) * 0.0000019073523f))) {
-                                                                    phi_1847_ = type_25();
-                                                                    phi_1848_ = true;
+                                                                let _e1249 = select(_e1150[1][0], _e1150[0][0], (_e1150[0][0] < _e1150[1][0]));
+                                                                let _e1253 = select(_e1150[1][0], _e1150[0][0], (_e1150[0][0] > _e1150[1][0]));
+                                                                let _e1257 = select(_e1150[1][1], _e1150[0][1], (_e1150[0][1] < _e1150[1][1]));
+                                                                let _e1261 = select(_e1150[1][1], _e1150[0][1], (_e1150[0][1] > _e1150[1][1]));
+                                                                let _e1265 = select(_e1150[1][2], _e1150[0][2], (_e1150[0][2] < _e1150[1][2]));
+                                                                let _e1269 = select(_e1150[1][2], _e1150[0][2], (_e1150[0][2] > _e1150[1][2]));
+                                                                let _e1274 = ((select(_e1150[2][0], _e1249, (_e1249 < _e1150[2][0])) - _e348) * _e353);
+                                                                let _e1275 = ((select(_e1150[2][0], _e1253, (_e1253 > _e1150[2][0])) - _e349) * _e353);
+                                                                let _e1278 = ((select(_e1150[2][1], _e1257, (_e1257 < _e1150[2][1])) - _e416) * _e421);
+                                                                let _e1279 = ((select(_e1150[2][1], _e1261, (_e1261 > _e1150[2][1])) - _e417) * _e421);
+                                                                let _e1282 = ((select(_e1150[2][2], _e1265, (_e1265 < _e1150[2][2])) - _e484) * _e489);
+                                                                let _e1283 = ((select(_e1150[2][2], _e1269, (_e1269 > _e1150[2][2])) - _e485) * _e489);
+                                                                let _e1285 = select(_e1283, _e1282, (_e1282 < _e1283));
+                                                                let _e1287 = select(_e1283, _e1282, (_e1282 > _e1283));
+                                                                let _e1289 = select(_e1275, _e1274, (_e1274 < _e1275));
+                                                                let _e1291 = select(_e1279, _e1278, (_e1278 < _e1279));
+                                                                let _e1293 = select(_e1291, _e1289, (_e1289 > _e1291));
+                                                                let _e1295 = select(_e1285, _e1293, (_e1293 > _e1285));
+                                                                let _e1297 = select(_e1275, _e1274, (_e1274 > _e1275));
+                                                                let _e1299 = select(_e1279, _e1278, (_e1278 > _e1279));
+                                                                let _e1301 = select(_e1299, _e1297, (_e1297 < _e1299));
+                                                                let _e1303 = select(_e1287, _e1301, (_e1301 < _e1287));
+                                                                let _e1304 = -(_e1285);
+                                                                let _e1310 = select(_e601, _e1295, (_e1295 > _e601));
+                                                                if (_e1310 > (_e1303 + (select(_e1304, _e1287, (_e1287 > _e1304)) * 0.0000019073523f))) {
+                                                                    phi_2069_ = type_25();
+                                                                    phi_2070_ = true;
                                                                 } else {
-                                                                    let _e1129 = (_e1127 > _e871.member);
-                                                                    if _e1129 {
-                                                                        phi_1846_ = type_25();
+                                                                    let _e1312 = (_e1310 > _e1054.member);
+                                                                    if _e1312 {
+                                                                        phi_2068_ = type_25();
                                                                     } else {
-                                                                        let _e1130 = vec3<f32>(_e967[0][0], _e967[0][1], _e967[0][2]);
-                                                                        let _e1131 = vec3<f32>(_e967[1][0], _e967[1][1], _e967[1][2]);
-                                                                        let _e1132 = vec3<f32>(_e967[2][0], _e967[2][1], _e967[2][2]);
-                                                                        let _e1133 = (_e967[1][0] - _e967[0][0]);
-                                                                        let _e1134 = (_e967[1][1] - _e967[0][1]);
-                                                                        let _e1135 = (_e967[1][2] - _e967[0][2]);
-                                                                        let _e1136 = vec3<f32>(_e1133, _e1134, _e1135);
-                                                                        let _e1137 = (_e967[2][0] - _e967[1][0]);
-                                                                        let _e1138 = (_e967[2][1] - _e967[1][1]);
-                                                                        let _e1139 = (_e967[2][2] - _e967[1][2]);
-                                                                        let _e1140 = vec3<f32>(_e1137, _e1138, _e1139);
-                                                                        let _e1141 = (_e967[0][0] - _e967[2][0]);
-                                                                        let _e1142 = (_e967[0][1] - _e967[2][1]);
-                                                                        let _e1143 = (_e967[0][2] - _e967[2][2]);
-                                                                        let _e1144 = vec3<f32>(_e1141, _e1142, _e1143);
-                                                                        let _e1147 = bitcast<f32>((bitcast<u32>(_e1133) & 2147483647u));
-                                                                        let _e1150 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
-                                                                        let _e1152 = select(_e1150, _e1147, (_e1147 > _e1150));
-                                                                        let _e1155 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
-                                                                        let _e1157 = select(_e1155, _e1152, (_e1152 > _e1155));
-                                                                        let _e1160 = bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u));
-                                                                        let _e1163 = bitcast<f32>((bitcast<u32>(_e1138) & 2147483647u));
-                                                                        let _e1165 = select(_e1163, _e1160, (_e1160 > _e1163));
-                                                                        let _e1168 = bitcast<f32>((bitcast<u32>(_e1139) & 2147483647u));
-                                                                        let _e1170 = select(_e1168, _e1165, (_e1165 > _e1168));
-                                                                        let _e1173 = bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u));
-                                                                        let _e1176 = bitcast<f32>((bitcast<u32>(_e1142) & 2147483647u));
-                                                                        let _e1178 = select(_e1176, _e1173, (_e1173 > _e1176));
-                                                                        let _e1181 = bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u));
-                                                                        let _e1183 = select(_e1181, _e1178, (_e1178 > _e1181));
-                                                                        let _e1185 = select(_e1170, _e1157, (_e1157 > _e1170));
-                                                                        let _e1187 = select(_e1183, _e1185, (_e1185 > _e1183));
-                                                                        if (_e1157 == _e1187) {
-                                                                            phi_1579_ = _e994;
-                                                                            phi_1580_ = _e991;
-                                                                            phi_1581_ = _e981;
-                                                                            phi_1582_ = _e978;
-                                                                            phi_1583_ = _e1130;
-                                                                            phi_1584_ = _e1144;
-                                                                            phi_1585_ = _e1140;
-                                                                            phi_1586_ = _e1136;
+                                                                        let _e1313 = vec3<f32>(_e1150[0][0], _e1150[0][1], _e1150[0][2]);
+                                                                        let _e1314 = vec3<f32>(_e1150[1][0], _e1150[1][1], _e1150[1][2]);
+                                                                        let _e1315 = vec3<f32>(_e1150[2][0], _e1150[2][1], _e1150[2][2]);
+                                                                        let _e1316 = (_e1150[1][0] - _e1150[0][0]);
+                                                                        let _e1317 = (_e1150[1][1] - _e1150[0][1]);
+                                                                        let _e1318 = (_e1150[1][2] - _e1150[0][2]);
+                                                                        let _e1319 = vec3<f32>(_e1316, _e1317, _e1318);
+                                                                        let _e1320 = (_e1150[2][0] - _e1150[1][0]);
+                                                                        let _e1321 = (_e1150[2][1] - _e1150[1][1]);
+                                                                        let _e1322 = (_e1150[2][2] - _e1150[1][2]);
+                                                                        let _e1323 = vec3<f32>(_e1320, _e1321, _e1322);
+                                                                        let _e1324 = (_e1150[0][0] - _e1150[2][0]);
+                                                                        let _e1325 = (_e1150[0][1] - _e1150[2][1]);
+                                                                        let _e1326 = (_e1150[0][2] - _e1150[2][2]);
+                                                                        let _e1327 = vec3<f32>(_e1324, _e1325, _e1326);
+                                                                        let _e1330 = bitcast<f32>((bitcast<u32>(_e1316) & 2147483647u));
+                                                                        let _e1333 = bitcast<f32>((bitcast<u32>(_e1317) & 2147483647u));
+                                                                        let _e1335 = select(_e1333, _e1330, (_e1330 > _e1333));
+                                                                        let _e1338 = bitcast<f32>((bitcast<u32>(_e1318) & 2147483647u));
+                                                                        let _e1340 = select(_e1338, _e1335, (_e1335 > _e1338));
+                                                                        let _e1343 = bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u));
+                                                                        let _e1346 = bitcast<f32>((bitcast<u32>(_e1321) & 2147483647u));
+                                                                        let _e1348 = select(_e1346, _e1343, (_e1343 > _e1346));
+                                                                        let _e1351 = bitcast<f32>((bitcast<u32>(_e1322) & 2147483647u));
+                                                                        let _e1353 = select(_e1351, _e1348, (_e1348 > _e1351));
+                                                                        let _e1356 = bitcast<f32>((bitcast<u32>(_e1324) & 2147483647u));
+                                                                        let _e1359 = bitcast<f32>((bitcast<u32>(_e1325) & 2147483647u));
+                                                                        let _e1361 = select(_e1359, _e1356, (_e1356 > _e1359));
+                                                                        let _e1364 = bitcast<f32>((bitcast<u32>(_e1326) & 2147483647u));
+                                                                        let _e1366 = select(_e1364, _e1361, (_e1361 > _e1364));
+                                                                        let _e1368 = select(_e1353, _e1340, (_e1340 > _e1353));
+                                                                        let _e1370 = select(_e1366, _e1368, (_e1368 > _e1366));
+                                                                        if (_e1340 == _e1370) {
+                                                                            phi_1801_ = _e1177;
+                                                                            phi_1802_ = _e1174;
+                                                                            phi_1803_ = _e1164;
+                                                                            phi_1804_ = _e1161;
+                                                                            phi_1805_ = _e1313;
+                                                                            phi_1806_ = _e1327;
+                                                                            phi_1807_ = _e1323;
+                                                                            phi_1808_ = _e1319;
                                                                         } else {
-                                                                            let _e1189 = (_e1170 == _e1187);
-                                                                            let _e1194 = vec3(_e1189);
-                                                                            phi_1579_ = select(_e981, _e1007, _e1189);
-                                                                            phi_1580_ = select(_e978, _e1004, _e1189);
-                                                                            phi_1581_ = select(_e1007, _e994, _e1189);
-                                                                            phi_1582_ = select(_e1004, _e991, _e1189);
-                                                                            phi_1583_ = select(_e1132, _e1131, _e1194);
-                                                                            phi_1584_ = select(_e1140, _e1136, _e1194);
-                                                                            phi_1585_ = select(_e1136, _e1144, _e1194);
-                                                                            phi_1586_ = select(_e1144, _e1140, _e1194);
+                                                                            let _e1372 = (_e1353 == _e1370);
+                                                                            let _e1377 = vec3(_e1372);
+                                                                            phi_1801_ = select(_e1164, _e1190, _e1372);
+                                                                            phi_1802_ = select(_e1161, _e1187, _e1372);
+                                                                            phi_1803_ = select(_e1190, _e1177, _e1372);
+                                                                            phi_1804_ = select(_e1187, _e1174, _e1372);
+                                                                            phi_1805_ = select(_e1315, _e1314, _e1377);
+                                                                            phi_1806_ = select(_e1323, _e1319, _e1377);
+                                                                            phi_1807_ = select(_e1319, _e1327, _e1377);
+                                                                            phi_1808_ = select(_e1327, _e1323, _e1377);
                                                                         }
-                                                                        let _e1200 = phi_1579_;
-                                                                        let _e1202 = phi_1580_;
-                                                                        let _e1204 = phi_1581_;
-                                                                        let _e1206 = phi_1582_;
-                                                                        let _e1208 = phi_1583_;
-                                                                        let _e1210 = phi_1584_;
-                                                                        let _e1212 = phi_1585_;
-                                                                        let _e1214 = phi_1586_;
-                                                                        let _e1221 = ((_e1212.y * _e1210.z) - (_e1210.y * _e1212.z));
-                                                                        let _e1226 = ((_e1212.z * _e1210.x) - (_e1210.z * _e1212.x));
-                                                                        let _e1229 = ((_e1212.x * _e1210.y) - (_e1210.x * _e1212.y));
-                                                                        if (_e1029 >= _e1033) {
-                                                                            phi_1617_ = select(true, false, (_e1029 >= _e1037));
+                                                                        let _e1383 = phi_1801_;
+                                                                        let _e1385 = phi_1802_;
+                                                                        let _e1387 = phi_1803_;
+                                                                        let _e1389 = phi_1804_;
+                                                                        let _e1391 = phi_1805_;
+                                                                        let _e1393 = phi_1806_;
+                                                                        let _e1395 = phi_1807_;
+                                                                        let _e1397 = phi_1808_;
+                                                                        let _e1404 = ((_e1395.y * _e1393.z) - (_e1393.y * _e1395.z));
+                                                                        let _e1409 = ((_e1395.z * _e1393.x) - (_e1393.z * _e1395.x));
+                                                                        let _e1412 = ((_e1395.x * _e1393.y) - (_e1393.x * _e1395.y));
+                                                                        if (_e1212 >= _e1216) {
+                                                                            phi_1839_ = select(true, false, (_e1212 >= _e1220));
                                                                         } else {
-                                                                            phi_1617_ = true;
+                                                                            phi_1839_ = true;
                                                                         }
-                                                                        let _e1234 = phi_1617_;
-                                                                        if _e1234 {
-                                                                            phi_1626_ = select(_e1132, _e1131, vec3((_e1033 >= _e1037)));
+                                                                        let _e1417 = phi_1839_;
+                                                                        if _e1417 {
+                                                                            phi_1848_ = select(_e1315, _e1314, vec3((_e1216 >= _e1220)));
                                                                         } else {
-                                                                            phi_1626_ = _e1130;
+                                                                            phi_1848_ = _e1313;
                                                                         }
-                                                                        let _e1239 = phi_1626_;
-                                                                        let _e1250 = (((_e1221 * (_e1239.x - _e291)) + (_e1226 * (_e1239.y - _e330))) + (_e1229 * (_e1239.z - _e368)));
-                                                                        let _e1255 = (((_e1221 * _e316) + (_e1226 * _e354)) + (_e1229 * _e392));
-                                                                        let _e1256 = (_e1202 - _e1206);
-                                                                        let _e1257 = (_e1200 - _e1204);
-                                                                        let _e1265 = (-(((_e1206 * _e1256) + (_e1204 * _e1257))) / ((_e1256 * _e1256) + (_e1257 * _e1257)));
-                                                                        let _e1267 = select(1f, _e1265, (_e1265 < 1f));
-                                                                        let _e1269 = select(0f, _e1267, (_e1267 > 0f));
-                                                                        let _e1282 = ((_e1208.x + (_e1214.x * _e1269)) - _e291);
-                                                                        let _e1283 = ((_e1208.y + (_e1214.y * _e1269)) - _e330);
-                                                                        let _e1284 = ((_e1208.z + (_e1214.z * _e1269)) - _e368);
-                                                                        let _e1285 = (_e1284 / _e392);
-                                                                        let _e1297 = bitcast<f32>((bitcast<u32>(_e1282) & 2147483647u));
-                                                                        let _e1300 = bitcast<f32>((bitcast<u32>(_e1283) & 2147483647u));
-                                                                        let _e1302 = select(_e1300, _e1297, (_e1297 > _e1300));
-                                                                        let _e1305 = bitcast<f32>((bitcast<u32>(_e1284) & 2147483647u));
-                                                                        let _e1307 = select(_e1305, _e1302, (_e1302 > _e1305));
-                                                                        let _e1313 = bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u));
-                                                                        let _e1316 = bitcast<f32>((bitcast<u32>(_e1226) & 2147483647u));
-                                                                        let _e1318 = select(_e1316, _e1313, (_e1313 > _e1316));
-                                                                        let _e1321 = bitcast<f32>((bitcast<u32>(_e1229) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1221 * _e1282) + (_e1226 * _e1283)) + (_e1229 * _e1284)) - _e1250)) & 2147483647u)) <= ((0.0000009536743f * select(_e1187, _e1307, (_e1307 > _e1187))) * select(_e1321, _e1318, (_e1318 > _e1321)))) {
-                                                                            let _e1331 = bitcast<f32>((bitcast<u32>(_e1212.x) & 2147483647u));
-                                                                            let _e1334 = bitcast<f32>((bitcast<u32>(_e1212.y) & 2147483647u));
-                                                                            let _e1336 = select(_e1334, _e1331, (_e1331 > _e1334));
-                                                                            let _e1339 = bitcast<f32>((bitcast<u32>(_e1212.z) & 2147483647u));
-                                                                            let _e1345 = bitcast<f32>((bitcast<u32>(_e1210.x) & 2147483647u));
-                                                                            let _e1348 = bitcast<f32>((bitcast<u32>(_e1210.y) & 2147483647u));
-                                                                            let _e1350 = select(_e1348, _e1345, (_e1345 > _e1348));
-                                                                            let _e1353 = bitcast<f32>((bitcast<u32>(_e1210.z) & 2147483647u));
-                                                                            let _e1357 = (bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u)) > ((0.0000038146973f * select(_e1339, _e1336, (_e1336 > _e1339))) * select(_e1353, _e1350, (_e1350 > _e1353))));
-                                                                            if _e1357 {
-                                                                                phi_1791_ = (_e1250 / _e1255);
+                                                                        let _e1422 = phi_1848_;
+                                                                        let _e1433 = (((_e1404 * (_e1422.x - _e310)) + (_e1409 * (_e1422.y - _e379))) + (_e1412 * (_e1422.z - _e447)));
+                                                                        let _e1438 = (((_e1404 * _e350) + (_e1409 * _e418)) + (_e1412 * _e486));
+                                                                        let _e1439 = (_e1385 - _e1389);
+                                                                        let _e1440 = (_e1383 - _e1387);
+                                                                        let _e1448 = (-(((_e1389 * _e1439) + (_e1387 * _e1440))) / ((_e1439 * _e1439) + (_e1440 * _e1440)));
+                                                                        let _e1450 = select(1f, _e1448, (_e1448 < 1f));
+                                                                        let _e1452 = select(0f, _e1450, (_e1450 > 0f));
+                                                                        let _e1465 = ((_e1391.x + (_e1397.x * _e1452)) - _e310);
+                                                                        let _e1466 = ((_e1391.y + (_e1397.y * _e1452)) - _e379);
+                                                                        let _e1467 = ((_e1391.z + (_e1397.z * _e1452)) - _e447);
+                                                                        let _e1468 = (_e1467 / _e486);
+                                                                        let _e1480 = bitcast<f32>((bitcast<u32>(_e1465) & 2147483647u));
+                                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1466) & 2147483647u));
+                                                                        let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
+                                                                        let _e1488 = bitcast<f32>((bitcast<u32>(_e1467) & 2147483647u));
+                                                                        let _e1490 = select(_e1488, _e1485, (_e1485 > _e1488));
+                                                                        let _e1496 = bitcast<f32>((bitcast<u32>(_e1404) & 2147483647u));
+                                                                        let _e1499 = bitcast<f32>((bitcast<u32>(_e1409) & 2147483647u));
+                                                                        let _e1501 = select(_e1499, _e1496, (_e1496 > _e1499));
+                                                                        let _e1504 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1404 * _e1465) + (_e1409 * _e1466)) + (_e1412 * _e1467)) - _e1433)) & 2147483647u)) <= ((0.0000009536743f * select(_e1370, _e1490, (_e1490 > _e1370))) * select(_e1504, _e1501, (_e1501 > _e1504)))) {
+                                                                            let _e1514 = bitcast<f32>((bitcast<u32>(_e1395.x) & 2147483647u));
+                                                                            let _e1517 = bitcast<f32>((bitcast<u32>(_e1395.y) & 2147483647u));
+                                                                            let _e1519 = select(_e1517, _e1514, (_e1514 > _e1517));
+                                                                            let _e1522 = bitcast<f32>((bitcast<u32>(_e1395.z) & 2147483647u));
+                                                                            let _e1528 = bitcast<f32>((bitcast<u32>(_e1393.x) & 2147483647u));
+                                                                            let _e1531 = bitcast<f32>((bitcast<u32>(_e1393.y) & 2147483647u));
+                                                                            let _e1533 = select(_e1531, _e1528, (_e1528 > _e1531));
+                                                                            let _e1536 = bitcast<f32>((bitcast<u32>(_e1393.z) & 2147483647u));
+                                                                            let _e1540 = (bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u)) > ((0.0000038146973f * select(_e1522, _e1519, (_e1519 > _e1522))) * select(_e1536, _e1533, (_e1533 > _e1536))));
+                                                                            if _e1540 {
+                                                                                phi_2013_ = (_e1433 / _e1438);
                                                                             } else {
-                                                                                phi_1791_ = f32();
+                                                                                phi_2013_ = f32();
                                                                             }
-                                                                            let _e1360 = phi_1791_;
-                                                                            phi_1793_ = _e1360;
-                                                                            phi_1794_ = select(true, false, _e1357);
+                                                                            let _e1543 = phi_2013_;
+                                                                            phi_2015_ = _e1543;
+                                                                            phi_2016_ = select(true, false, _e1540);
                                                                         } else {
-                                                                            phi_1793_ = f32();
-                                                                            phi_1794_ = true;
+                                                                            phi_2015_ = f32();
+                                                                            phi_2016_ = true;
                                                                         }
-                                                                        let _e1363 = phi_1793_;
-                                                                        let _e1365 = phi_1794_;
-                                                                        if _e1365 {
-                                                                            let _e1373 = (((_e1221 * (_e1282 - (_e316 * _e1285))) + (_e1226 * (_e1283 - (_e354 * _e1285)))) / _e1255);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1373) & 2147483647u)) <= _e1187) {
-                                                                                phi_1814_ = (_e1285 + _e1373);
+                                                                        let _e1546 = phi_2015_;
+                                                                        let _e1548 = phi_2016_;
+                                                                        if _e1548 {
+                                                                            let _e1556 = (((_e1404 * (_e1465 - (_e350 * _e1468))) + (_e1409 * (_e1466 - (_e418 * _e1468)))) / _e1438);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1556) & 2147483647u)) <= _e1370) {
+                                                                                phi_2036_ = (_e1468 + _e1556);
                                                                             } else {
-                                                                                phi_1814_ = _e1285;
+                                                                                phi_2036_ = _e1468;
                                                                             }
-                                                                            let _e1380 = phi_1814_;
-                                                                            phi_1815_ = _e1380;
+                                                                            let _e1563 = phi_2036_;
+                                                                            phi_2037_ = _e1563;
                                                                         } else {
-                                                                            phi_1815_ = _e1363;
+                                                                            phi_2037_ = _e1546;
                                                                         }
-                                                                        let _e1382 = phi_1815_;
-                                                                        let _e1384 = select(_e1120, _e1382, (_e1382 < _e1120));
-                                                                        let _e1386 = select(_e1112, _e1384, (_e1384 > _e1112));
-                                                                        if (_e1386 >= _e442) {
-                                                                            let _e1388 = (_e1386 <= _e871.member);
-                                                                            if _e1388 {
-                                                                                let _e1389 = (1f / _e1039);
-                                                                                phi_1838_ = type_25(_e1386, (_e1033 * _e1389), (_e1037 * _e1389), _e900);
+                                                                        let _e1565 = phi_2037_;
+                                                                        let _e1567 = select(_e1303, _e1565, (_e1565 < _e1303));
+                                                                        let _e1569 = select(_e1295, _e1567, (_e1567 > _e1295));
+                                                                        if (_e1569 >= _e601) {
+                                                                            let _e1571 = (_e1569 <= _e1054.member);
+                                                                            if _e1571 {
+                                                                                let _e1572 = (1f / _e1222);
+                                                                                phi_2060_ = type_25(_e1569, (_e1216 * _e1572), (_e1220 * _e1572), _e1083);
                                                                             } else {
-                                                                                phi_1838_ = type_25();
+                                                                                phi_2060_ = type_25();
                                                                             }
-                                                                            let _e1394 = phi_1838_;
-                                                                            phi_1840_ = _e1394;
-                                                                            phi_1841_ = select(true, false, _e1388);
+                                                                            let _e1577 = phi_2060_;
+                                                                            phi_2062_ = _e1577;
+                                                                            phi_2063_ = select(true, false, _e1571);
                                                                         } else {
-                                                                            phi_1840_ = type_25();
-                                                                            phi_1841_ = true;
+                                                                            phi_2062_ = type_25();
+                                                                            phi_2063_ = true;
                                                                         }
-                                                                        let _e1397 = phi_1840_;
-                                                                        let _e1399 = phi_1841_;
-                                                                        if _e1399 {
-                                                                            phi_1845_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1580 = phi_2062_;
+                                                                        let _e1582 = phi_2063_;
+                                                                        if _e1582 {
+                                                                            phi_2067_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1845_ = _e1397;
+                                                                            phi_2067_ = _e1580;
                                                                         }
-                                                                        let _e1401 = phi_1845_;
-                                                                        phi_1846_ = _e1401;
+                                                                        let _e1584 = phi_2067_;
+                                                                        phi_2068_ = _e1584;
                                                                     }
-                                                                    let _e1403 = phi_1846_;
-                                                                    phi_1847_ = _e1403;
-                                                                    phi_1848_ = _e1129;
+                                                                    let _e1586 = phi_2068_;
+                                                                    phi_2069_ = _e1586;
+                                                                    phi_2070_ = _e1312;
                                                                 }
-                                                                let _e1405 = phi_1847_;
-                                                                let _e1407 = phi_1848_;
-                                                                phi_1852_ = _e1405;
-                                                                phi_1853_ = _e1407;
+                                                                let _e1588 = phi_2069_;
+                                                                let _e1590 = phi_2070_;
+                                                                phi_2074_ = _e1588;
+                                                                phi_2075_ = _e1590;
                                                             }
-                                                            let _e1409 = phi_1852_;
-                                                            let _e1411 = phi_1853_;
-                                                            phi_1854_ = _e1409;
-                                                            phi_1855_ = _e1064;
-                                                            phi_1856_ = _e1411;
+                                                            let _e1592 = phi_2074_;
+                                                            let _e1594 = phi_2075_;
+                                                            phi_2076_ = _e1592;
+                                                            phi_2077_ = _e1247;
+                                                            phi_2078_ = _e1594;
                                                         }
-                                                        let _e1413 = phi_1854_;
-                                                        let _e1415 = phi_1855_;
-                                                        let _e1417 = phi_1856_;
-                                                        phi_1857_ = _e1413;
-                                                        phi_1858_ = _e1415;
-                                                        phi_1859_ = _e1417;
+                                                        let _e1596 = phi_2076_;
+                                                        let _e1598 = phi_2077_;
+                                                        let _e1600 = phi_2078_;
+                                                        phi_2079_ = _e1596;
+                                                        phi_2080_ = _e1598;
+                                                        phi_2081_ = _e1600;
                                                     }
-                                                    let _e1419 = phi_1857_;
-                                                    let _e1421 = phi_1858_;
-                                                    let _e1423 = phi_1859_;
-                                                    phi_1867_ = _e1419;
-                                                    phi_1868_ = select(_e1423, true, _e1421);
+                                                    let _e1602 = phi_2079_;
+                                                    let _e1604 = phi_2080_;
+                                                    let _e1606 = phi_2081_;
+                                                    phi_2089_ = _e1602;
+                                                    phi_2090_ = select(_e1606, true, _e1604);
                                                 } else {
-                                                    phi_1867_ = type_25();
-                                                    phi_1868_ = true;
+                                                    phi_2089_ = type_25();
+                                                    phi_2090_ = true;
                                                 }
-                                                let _e1426 = phi_1867_;
-                                                let _e1428 = phi_1868_;
-                                                if _e1428 {
-                                                    phi_1872_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1609 = phi_2089_;
+                                                let _e1611 = phi_2090_;
+                                                if _e1611 {
+                                                    phi_2094_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1872_ = _e1426;
+                                                    phi_2094_ = _e1609;
                                                 }
-                                                let _e1430 = phi_1872_;
-                                                if (_e1430.member_3 != 4294967295u) {
-                                                    if (_e900 != 4294967295u) {
-                                                        phi_1883_ = type_37(_e871.member, true);
+                                                let _e1613 = phi_2094_;
+                                                if (_e1613.member_3 != 4294967295u) {
+                                                    if (_e1083 != 4294967295u) {
+                                                        phi_2105_ = type_37(_e1054.member, true);
                                                     } else {
-                                                        phi_1883_ = _e871;
+                                                        phi_2105_ = _e1054;
                                                     }
-                                                    let _e1438 = phi_1883_;
-                                                    phi_1884_ = _e1438;
+                                                    let _e1621 = phi_2105_;
+                                                    phi_2106_ = _e1621;
                                                 } else {
-                                                    phi_1884_ = _e871;
+                                                    phi_2106_ = _e1054;
                                                 }
-                                                let _e1440 = phi_1884_;
-                                                phi_897_ = _e1440;
+                                                let _e1623 = phi_2106_;
+                                                phi_1119_ = _e1623;
                                             } else {
-                                                phi_897_ = type_37();
+                                                phi_1119_ = type_37();
                                             }
-                                            let _e1442 = phi_897_;
+                                            let _e1625 = phi_1119_;
                                             continue;
                                             continuing {
-                                                phi_896_ = _e1442;
-                                                phi_899_ = _e886;
-                                                phi_2900_ = _e474;
-                                                break if !(_e892);
+                                                phi_1118_ = _e1625;
+                                                phi_1121_ = _e1069;
+                                                phi_3146_ = _e633;
+                                                break if !(_e1075);
                                             }
                                         }
-                                        let _e1445 = phi_2900_;
-                                        phi_3039_ = _e1445;
-                                        if _e1445 {
+                                        let _e1628 = phi_3146_;
+                                        phi_3303_ = _e1628;
+                                        if _e1628 {
                                             break;
                                         }
-                                        let _e1447 = local_10;
-                                        phi_3043_ = _e1445;
-                                        let _e1606 = local_12;
-                                        phi_2834_ = _e1606;
-                                        phi_2835_ = _e515;
-                                        phi_2836_ = false;
-                                        phi_2837_ = select(_e519, 0u, _e1447.member_1);
+                                        let _e1630 = local_10;
+                                        phi_3307_ = _e1628;
+                                        let _e1795 = local_12;
+                                        phi_3080_ = _e1795;
+                                        phi_3081_ = _e674;
+                                        phi_3082_ = false;
+                                        phi_3083_ = select(_e678, 0u, _e1630.member_1);
                                     } else {
-                                        let _e528 = (_e515.member_1 < _e80);
-                                        if _e528 {
-                                            if _e528 {
+                                        let _e687 = (_e674.member_1 < _e84);
+                                        if _e687 {
+                                            if _e687 {
                                             } else {
-                                                phi_3039_ = true;
+                                                phi_3303_ = true;
                                                 break;
                                             }
-                                            let _e530 = global_6.member[_e515.member_1];
-                                            phi_1904_ = _e530;
+                                            let _e689 = global_6.member[_e674.member_1];
+                                            phi_2126_ = _e689;
                                         } else {
-                                            phi_1904_ = type_41(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2126_ = type_41(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e532 = phi_1904_;
-                                        let _e547 = ((10u * _e242) & 31u);
-                                        let _e550 = ((_e532.member[0] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e555 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[0] - _e515.member.member[0]) * 0.0009775171f)) ^ _e114));
-                                        let _e561 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e550) * _e555)) ^ _e114)));
-                                        let _e565 = select(select(_e515.member.member_1[0], _e561, (_e561 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e550 == 1023u));
-                                        let _e567 = ((10u * _e241) & 31u);
-                                        let _e570 = ((_e532.member[0] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e575 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[1] - _e515.member.member[1]) * 0.0009775171f)) ^ _e114));
-                                        let _e581 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e570) * _e575)) ^ _e114)));
-                                        let _e585 = select(select(_e515.member.member_1[1], _e581, (_e581 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e570 == 1023u));
-                                        let _e587 = ((10u * _e243) & 31u);
-                                        let _e590 = ((_e532.member[0] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e595 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[2] - _e515.member.member[2]) * 0.0009775171f)) ^ _e114));
-                                        let _e601 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e590) * _e595)) ^ _e114)));
-                                        let _e605 = select(select(_e515.member.member_1[2], _e601, (_e601 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e590 == 1023u));
-                                        let _e608 = ((_e532.member[1] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e614 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e608) * _e555)) ^ _e114)));
-                                        let _e618 = select(select(_e515.member.member_1[0], _e614, (_e614 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e608 == 1023u));
-                                        let _e621 = ((_e532.member[1] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e627 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e621) * _e575)) ^ _e114)));
-                                        let _e631 = select(select(_e515.member.member_1[1], _e627, (_e627 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e621 == 1023u));
-                                        let _e634 = ((_e532.member[1] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e640 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e634) * _e595)) ^ _e114)));
-                                        let _e644 = select(select(_e515.member.member_1[2], _e640, (_e640 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e634 == 1023u));
-                                        let _e650 = ((_e532.member_1[0] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e656 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e650) * _e555)) ^ _e114)));
-                                        let _e660 = select(select(_e515.member.member_1[0], _e656, (_e656 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e650 == 1023u));
-                                        let _e663 = ((_e532.member_1[0] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e669 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e663) * _e575)) ^ _e114)));
-                                        let _e673 = select(select(_e515.member.member_1[1], _e669, (_e669 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e663 == 1023u));
-                                        let _e676 = ((_e532.member_1[0] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e682 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e676) * _e595)) ^ _e114)));
-                                        let _e686 = select(select(_e515.member.member_1[2], _e682, (_e682 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e676 == 1023u));
-                                        let _e689 = ((_e532.member_1[1] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e695 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e689) * _e555)) ^ _e114)));
-                                        let _e699 = select(select(_e515.member.member_1[0], _e695, (_e695 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e689 == 1023u));
-                                        let _e702 = ((_e532.member_1[1] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e708 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e702) * _e575)) ^ _e114)));
-                                        let _e712 = select(select(_e515.member.member_1[1], _e708, (_e708 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e702 == 1023u));
-                                        let _e715 = ((_e532.member_1[1] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e721 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e715) * _e595)) ^ _e114)));
-                                        let _e725 = select(select(_e515.member.member_1[2], _e721, (_e721 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e715 == 1023u));
-                                        let _e730 = type_48(type_46(array<f32, 3>(_e565, _e585, _e605), array<f32, 3>(_e618, _e631, _e644)), _e532.member_2);
-                                        let _e735 = type_48(type_46(array<f32, 3>(_e660, _e673, _e686), array<f32, 3>(_e699, _e712, _e725)), _e532.member_3);
-                                        let _e741 = ((_e565 - _e314) * _e319);
-                                        let _e742 = ((_e660 - _e314) * _e319);
-                                        let _e743 = ((_e618 - _e315) * _e319);
-                                        let _e744 = ((_e699 - _e315) * _e319);
-                                        let _e749 = ((_e585 - _e352) * _e357);
-                                        let _e750 = ((_e673 - _e352) * _e357);
-                                        let _e751 = ((_e631 - _e353) * _e357);
-                                        let _e752 = ((_e712 - _e353) * _e357);
-                                        let _e757 = ((_e605 - _e390) * _e395);
-                                        let _e758 = ((_e686 - _e390) * _e395);
-                                        let _e759 = ((_e644 - _e391) * _e395);
-                                        let _e760 = ((_e725 - _e391) * _e395);
-                                        let _e762 = select(_e759, _e757, (_e757 < _e759));
-                                        let _e764 = select(_e760, _e758, (_e758 < _e760));
-                                        let _e766 = select(_e759, _e757, (_e757 > _e759));
-                                        let _e768 = select(_e760, _e758, (_e758 > _e760));
-                                        let _e770 = select(_e743, _e741, (_e741 < _e743));
-                                        let _e772 = select(_e744, _e742, (_e742 < _e744));
-                                        let _e774 = select(_e751, _e749, (_e749 < _e751));
-                                        let _e776 = select(_e752, _e750, (_e750 < _e752));
-                                        let _e778 = select(_e774, _e770, (_e770 > _e774));
-                                        let _e780 = select(_e776, _e772, (_e772 > _e776));
-                                        let _e782 = select(_e762, _e778, (_e778 > _e762));
-                                        let _e784 = select(_e764, _e780, (_e780 > _e764));
-                                        let _e786 = select(_e743, _e741, (_e741 > _e743));
-                                        let _e788 = select(_e744, _e742, (_e742 > _e744));
-                                        let _e790 = select(_e751, _e749, (_e749 > _e751));
-                                        let _e792 = select(_e752, _e750, (_e750 > _e752));
-                                        let _e794 = select(_e790, _e786, (_e786 < _e790));
-                                        let _e796 = select(_e792, _e788, (_e788 < _e792));
-                                        let _e801 = -(_e762);
-                                        let _e802 = -(_e764);
-                                        let _e809 = (select(_e766, _e794, (_e794 < _e766)) + (select(_e801, _e766, (_e766 > _e801)) * 0.0000019073523f));
-                                        let _e810 = (select(_e768, _e796, (_e796 < _e768)) + (select(_e802, _e768, (_e768 > _e802)) * 0.0000019073523f));
-                                        let _e812 = select(_e442, _e782, (_e782 > _e442));
-                                        let _e814 = select(_e442, _e784, (_e784 > _e442));
-                                        let _e819 = (_e812 <= select(_e476.member, _e809, (_e809 < _e476.member)));
-                                        let _e820 = (_e814 <= select(_e476.member, _e810, (_e810 < _e476.member)));
-                                        let _e821 = (_e812 <= _e814);
-                                        if _e819 {
-                                            if _e820 {
-                                                if _e821 {
-                                                    phi_2736_ = _e735;
+                                        let _e691 = phi_2126_;
+                                        let _e706 = ((10u * _e246) & 31u);
+                                        let _e709 = ((_e691.member[0] >> bitcast<u32>(_e706)) & 1023u);
+                                        let _e717 = bitcast<f32>((bitcast<u32>(((_e674.member.member_1[0] - _e674.member.member[0]) * 0.0009775171f)) ^ _e118));
+                                        let _e722 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e709)) - 8388608f) * _e717)) ^ _e118)));
+                                        let _e726 = select(select(_e674.member.member_1[0], _e722, (_e722 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e709 == 1023u));
+                                        let _e728 = ((10u * _e245) & 31u);
+                                        let _e731 = ((_e691.member[0] >> bitcast<u32>(_e728)) & 1023u);
+                                        let _e739 = bitcast<f32>((bitcast<u32>(((_e674.member.member_1[1] - _e674.member.member[1]) * 0.0009775171f)) ^ _e118));
+                                        let _e744 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e731)) - 8388608f) * _e739)) ^ _e118)));
+                                        let _e748 = select(select(_e674.member.member_1[1], _e744, (_e744 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e731 == 1023u));
+                                        let _e750 = ((10u * _e247) & 31u);
+                                        let _e753 = ((_e691.member[0] >> bitcast<u32>(_e750)) & 1023u);
+                                        let _e761 = bitcast<f32>((bitcast<u32>(((_e674.member.member_1[2] - _e674.member.member[2]) * 0.0009775171f)) ^ _e118));
+                                        let _e766 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e753)) - 8388608f) * _e761)) ^ _e118)));
+                                        let _e770 = select(select(_e674.member.member_1[2], _e766, (_e766 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e753 == 1023u));
+                                        let _e773 = ((_e691.member[1] >> bitcast<u32>(_e706)) & 1023u);
+                                        let _e781 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e717)) ^ _e118)));
+                                        let _e785 = select(select(_e674.member.member_1[0], _e781, (_e781 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e773 == 1023u));
+                                        let _e788 = ((_e691.member[1] >> bitcast<u32>(_e728)) & 1023u);
+                                        let _e796 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e739)) ^ _e118)));
+                                        let _e800 = select(select(_e674.member.member_1[1], _e796, (_e796 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e788 == 1023u));
+                                        let _e803 = ((_e691.member[1] >> bitcast<u32>(_e750)) & 1023u);
+                                        let _e811 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e803)) - 8388608f) * _e761)) ^ _e118)));
+                                        let _e815 = select(select(_e674.member.member_1[2], _e811, (_e811 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e803 == 1023u));
+                                        let _e821 = ((_e691.member_1[0] >> bitcast<u32>(_e706)) & 1023u);
+                                        let _e829 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e717)) ^ _e118)));
+                                        let _e833 = select(select(_e674.member.member_1[0], _e829, (_e829 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e821 == 1023u));
+                                        let _e836 = ((_e691.member_1[0] >> bitcast<u32>(_e728)) & 1023u);
+                                        let _e844 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e739)) ^ _e118)));
+                                        let _e848 = select(select(_e674.member.member_1[1], _e844, (_e844 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e836 == 1023u));
+                                        let _e851 = ((_e691.member_1[0] >> bitcast<u32>(_e750)) & 1023u);
+                                        let _e859 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e761)) ^ _e118)));
+                                        let _e863 = select(select(_e674.member.member_1[2], _e859, (_e859 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e851 == 1023u));
+                                        let _e866 = ((_e691.member_1[1] >> bitcast<u32>(_e706)) & 1023u);
+                                        let _e874 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e717)) ^ _e118)));
+                                        let _e878 = select(select(_e674.member.member_1[0], _e874, (_e874 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e866 == 1023u));
+                                        let _e881 = ((_e691.member_1[1] >> bitcast<u32>(_e728)) & 1023u);
+                                        let _e889 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e739)) ^ _e118)));
+                                        let _e893 = select(select(_e674.member.member_1[1], _e889, (_e889 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e881 == 1023u));
+                                        let _e896 = ((_e691.member_1[1] >> bitcast<u32>(_e750)) & 1023u);
+                                        let _e904 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e761)) ^ _e118)));
+                                        let _e908 = select(select(_e674.member.member_1[2], _e904, (_e904 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e896 == 1023u));
+                                        let _e913 = type_48(type_46(array<f32, 3>(_e726, _e748, _e770), array<f32, 3>(_e785, _e800, _e815)), _e691.member_2);
+                                        let _e918 = type_48(type_46(array<f32, 3>(_e833, _e848, _e863), array<f32, 3>(_e878, _e893, _e908)), _e691.member_3);
+                                        let _e924 = ((_e726 - _e348) * _e353);
+                                        let _e925 = ((_e833 - _e348) * _e353);
+                                        let _e926 = ((_e785 - _e349) * _e353);
+                                        let _e927 = ((_e878 - _e349) * _e353);
+                                        let _e932 = ((_e748 - _e416) * _e421);
+                                        let _e933 = ((_e848 - _e416) * _e421);
+                                        let _e934 = ((_e800 - _e417) * _e421);
+                                        let _e935 = ((_e893 - _e417) * _e421);
+                                        let _e940 = ((_e770 - _e484) * _e489);
+                                        let _e941 = ((_e863 - _e484) * _e489);
+                                        let _e942 = ((_e815 - _e485) * _e489);
+                                        let _e943 = ((_e908 - _e485) * _e489);
+                                        let _e945 = select(_e942, _e940, (_e940 < _e942));
+                                        let _e947 = select(_e943, _e941, (_e941 < _e943));
+                                        let _e949 = select(_e942, _e940, (_e940 > _e942));
+                                        let _e951 = select(_e943, _e941, (_e941 > _e943));
+                                        let _e953 = select(_e926, _e924, (_e924 < _e926));
+                                        let _e955 = select(_e927, _e925, (_e925 < _e927));
+                                        let _e957 = select(_e934, _e932, (_e932 < _e934));
+                                        let _e959 = select(_e935, _e933, (_e933 < _e935));
+                                        let _e961 = select(_e957, _e953, (_e953 > _e957));
+                                        let _e963 = select(_e959, _e955, (_e955 > _e959));
+                                        let _e965 = select(_e945, _e961, (_e961 > _e945));
+                                        let _e967 = select(_e947, _e963, (_e963 > _e947));
+                                        let _e969 = select(_e926, _e924, (_e924 > _e926));
+                                        let _e971 = select(_e927, _e925, (_e925 > _e927));
+                                        let _e973 = select(_e934, _e932, (_e932 > _e934));
+                                        let _e975 = select(_e935, _e933, (_e933 > _e935));
+                                        let _e977 = select(_e973, _e969, (_e969 < _e973));
+                                        let _e979 = select(_e975, _e971, (_e971 < _e975));
+                                        let _e984 = -(_e945);
+                                        let _e985 = -(_e947);
+                                        let _e992 = (select(_e949, _e977, (_e977 < _e949)) + (select(_e984, _e949, (_e949 > _e984)) * 0.0000019073523f));
+                                        let _e993 = (select(_e951, _e979, (_e979 < _e951)) + (select(_e985, _e951, (_e951 > _e985)) * 0.0000019073523f));
+                                        let _e995 = select(_e601, _e965, (_e965 > _e601));
+                                        let _e997 = select(_e601, _e967, (_e967 > _e601));
+                                        let _e1002 = (_e995 <= select(_e635.member, _e992, (_e992 < _e635.member)));
+                                        let _e1003 = (_e997 <= select(_e635.member, _e993, (_e993 < _e635.member)));
+                                        let _e1004 = (_e995 <= _e997);
+                                        if _e1002 {
+                                            if _e1003 {
+                                                if _e1004 {
+                                                    phi_2982_ = _e918;
                                                 } else {
-                                                    phi_2736_ = _e730;
+                                                    phi_2982_ = _e913;
                                                 }
-                                                let _e823 = phi_2736_;
-                                                let _e831 = (_e519 % 128u);
-                                                let _e832 = (_e831 < 128u);
-                                                if _e832 {
+                                                let _e1006 = phi_2982_;
+                                                let _e1014 = (_e678 % 128u);
+                                                let _e1015 = (_e1014 < 128u);
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3039_ = true;
+                                                    phi_3303_ = true;
                                                     break;
                                                 }
-                                                local_6[_e831] = _e823.member_1;
-                                                if _e832 {
+                                                local_6[_e1014] = _e1006.member_1;
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3039_ = true;
+                                                    phi_3303_ = true;
                                                     break;
                                                 }
-                                                local_5[_e831] = _e823.member.member[0];
-                                                if _e832 {
+                                                local_5[_e1014] = _e1006.member.member[0];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3039_ = true;
+                                                    phi_3303_ = true;
                                                     break;
                                                 }
-                                                local_4[_e831] = _e823.member.member[1];
-                                                if _e832 {
+                                                local_4[_e1014] = _e1006.member.member[1];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3039_ = true;
+                                                    phi_3303_ = true;
                                                     break;
                                                 }
-                                                local_3[_e831] = _e823.member.member[2];
-                                                if _e832 {
+                                                local_3[_e1014] = _e1006.member.member[2];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3039_ = true;
+                                                    phi_3303_ = true;
                                                     break;
                                                 }
-                                                local_2[_e831] = _e823.member.member_1[0];
-                                                if _e832 {
+                                                local_2[_e1014] = _e1006.member.member_1[0];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3039_ = true;
+                                                    phi_3303_ = true;
                                                     break;
                                                 }
-                                                local_1[_e831] = _e823.member.member_1[1];
-                                                if _e832 {
+                                                local_1[_e1014] = _e1006.member.member_1[1];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3039_ = true;
+                                                    phi_3303_ = true;
                                                     break;
                                                 }
-                                                local[_e831] = _e823.member.member_1[2];
-                                                if _e832 {
+                                                local[_e1014] = _e1006.member.member_1[2];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3039_ = true;
+                                                    phi_3303_ = true;
                                                     break;
                                                 }
-                                                local_7[_e831] = select(_e814, _e812, (_e812 > _e814));
-                                                if _e821 {
-                                                    phi_2813_ = _e730;
+                                                local_7[_e1014] = select(_e997, _e995, (_e995 > _e997));
+                                                if _e1004 {
+                                                    phi_3059_ = _e913;
                                                 } else {
-                                                    phi_2813_ = _e735;
+                                                    phi_3059_ = _e918;
                                                 }
-                                                let _e849 = phi_2813_;
-                                                phi_2814_ = _e849;
-                                                phi_2815_ = (_e519 + 1u);
+                                                let _e1032 = phi_3059_;
+                                                phi_3060_ = _e1032;
+                                                phi_3061_ = (_e678 + 1u);
                                             } else {
-                                                phi_2814_ = type_48();
-                                                phi_2815_ = u32();
+                                                phi_3060_ = type_48();
+                                                phi_3061_ = u32();
                                             }
-                                            let _e851 = phi_2814_;
-                                            let _e853 = phi_2815_;
-                                            phi_2817_ = _e851;
-                                            phi_2818_ = _e853;
-                                            phi_2819_ = select(true, false, _e820);
+                                            let _e1034 = phi_3060_;
+                                            let _e1036 = phi_3061_;
+                                            phi_3063_ = _e1034;
+                                            phi_3064_ = _e1036;
+                                            phi_3065_ = select(true, false, _e1003);
                                         } else {
-                                            phi_2817_ = type_48();
-                                            phi_2818_ = u32();
-                                            phi_2819_ = true;
+                                            phi_3063_ = type_48();
+                                            phi_3064_ = u32();
+                                            phi_3065_ = true;
                                         }
-                                        let _e856 = phi_2817_;
-                                        let _e858 = phi_2818_;
-                                        let _e860 = phi_2819_;
-                                        if _e860 {
-                                            if _e819 {
-                                                phi_2826_ = _e730;
+                                        let _e1039 = phi_3063_;
+                                        let _e1041 = phi_3064_;
+                                        let _e1043 = phi_3065_;
+                                        if _e1043 {
+                                            if _e1002 {
+                                                phi_3072_ = _e913;
                                             } else {
-                                                phi_2826_ = _e735;
+                                                phi_3072_ = _e918;
                                             }
-                                            let _e862 = phi_2826_;
-                                            phi_2831_ = _e862;
-                                            phi_2832_ = select(_e820, true, _e819);
+                                            let _e1045 = phi_3072_;
+                                            phi_3077_ = _e1045;
+                                            phi_3078_ = select(_e1003, true, _e1002);
                                         } else {
-                                            phi_2831_ = _e856;
-                                            phi_2832_ = _e517;
+                                            phi_3077_ = _e1039;
+                                            phi_3078_ = _e676;
                                         }
-                                        let _e865 = phi_2831_;
-                                        let _e867 = phi_2832_;
-                                        phi_3043_ = _e474;
-                                        phi_2834_ = _e476;
-                                        phi_2835_ = _e865;
-                                        phi_2836_ = _e867;
-                                        phi_2837_ = select(_e858, _e519, _e860);
+                                        let _e1048 = phi_3077_;
+                                        let _e1050 = phi_3078_;
+                                        phi_3307_ = _e633;
+                                        phi_3080_ = _e635;
+                                        phi_3081_ = _e1048;
+                                        phi_3082_ = _e1050;
+                                        phi_3083_ = select(_e1041, _e678, _e1043);
                                     }
-                                    let _e1451 = phi_3043_;
-                                    let _e1453 = phi_2834_;
-                                    let _e1455 = phi_2835_;
-                                    let _e1457 = phi_2836_;
-                                    let _e1459 = phi_2837_;
-                                    phi_3042_ = _e1451;
-                                    phi_2838_ = _e1453;
-                                    phi_2839_ = _e1455;
-                                    phi_2840_ = (_e480 - 1u);
-                                    phi_2841_ = _e1457;
-                                    phi_2842_ = _e1459;
+                                    let _e1634 = phi_3307_;
+                                    let _e1636 = phi_3080_;
+                                    let _e1638 = phi_3081_;
+                                    let _e1640 = phi_3082_;
+                                    let _e1642 = phi_3083_;
+                                    phi_3306_ = _e1634;
+                                    phi_3084_ = _e1636;
+                                    phi_3085_ = _e1638;
+                                    phi_3086_ = (_e639 - 1u);
+                                    phi_3087_ = _e1640;
+                                    phi_3088_ = _e1642;
                                 } else {
-                                    phi_3042_ = _e474;
-                                    phi_2838_ = _e476;
-                                    phi_2839_ = _e515;
-                                    phi_2840_ = _e480;
-                                    phi_2841_ = _e517;
-                                    phi_2842_ = _e519;
+                                    phi_3306_ = _e633;
+                                    phi_3084_ = _e635;
+                                    phi_3085_ = _e674;
+                                    phi_3086_ = _e639;
+                                    phi_3087_ = _e676;
+                                    phi_3088_ = _e678;
                                 }
-                                let _e1461 = phi_3042_;
-                                let _e1463 = phi_2838_;
-                                let _e1465 = phi_2839_;
-                                let _e1467 = phi_2840_;
-                                let _e1469 = phi_2841_;
-                                let _e1471 = phi_2842_;
-                                phi_3041_ = _e1461;
-                                phi_2843_ = _e1463;
-                                phi_2844_ = _e1465;
-                                phi_2845_ = _e1467;
-                                phi_2846_ = _e1469;
-                                phi_2847_ = _e1471;
+                                let _e1644 = phi_3306_;
+                                let _e1646 = phi_3084_;
+                                let _e1648 = phi_3085_;
+                                let _e1650 = phi_3086_;
+                                let _e1652 = phi_3087_;
+                                let _e1654 = phi_3088_;
+                                phi_3305_ = _e1644;
+                                phi_3089_ = _e1646;
+                                phi_3090_ = _e1648;
+                                phi_3091_ = _e1650;
+                                phi_3092_ = _e1652;
+                                phi_3093_ = _e1654;
                             } else {
-                                phi_3041_ = _e474;
-                                phi_2843_ = type_37();
-                                phi_2844_ = type_48();
-                                phi_2845_ = u32();
-                                phi_2846_ = bool();
-                                phi_2847_ = u32();
+                                phi_3305_ = _e633;
+                                phi_3089_ = type_37();
+                                phi_3090_ = type_48();
+                                phi_3091_ = u32();
+                                phi_3092_ = bool();
+                                phi_3093_ = u32();
                             }
-                            let _e1473 = phi_3041_;
-                            let _e1475 = phi_2843_;
-                            let _e1477 = phi_2844_;
-                            let _e1479 = phi_2845_;
-                            let _e1481 = phi_2846_;
-                            let _e1483 = phi_2847_;
-                            phi_3040_ = _e1473;
-                            phi_771_ = _e1475;
-                            phi_774_ = _e1477;
-                            phi_776_ = _e1479;
-                            phi_778_ = _e1481;
-                            phi_780_ = _e1483;
-                            phi_2848_ = _e488;
+                            let _e1656 = phi_3305_;
+                            let _e1658 = phi_3089_;
+                            let _e1660 = phi_3090_;
+                            let _e1662 = phi_3091_;
+                            let _e1664 = phi_3092_;
+                            let _e1666 = phi_3093_;
+                            phi_3304_ = _e1656;
+                            phi_993_ = _e1658;
+                            phi_996_ = _e1660;
+                            phi_998_ = _e1662;
+                            phi_1000_ = _e1664;
+                            phi_1002_ = _e1666;
+                            phi_3094_ = _e647;
                         } else {
-                            phi_3040_ = _e474;
-                            phi_771_ = type_37();
-                            phi_774_ = type_48();
-                            phi_776_ = u32();
-                            phi_778_ = bool();
-                            phi_780_ = u32();
-                            phi_2848_ = false;
+                            phi_3304_ = _e633;
+                            phi_993_ = type_37();
+                            phi_996_ = type_48();
+                            phi_998_ = u32();
+                            phi_1000_ = bool();
+                            phi_1002_ = u32();
+                            phi_3094_ = false;
                         }
-                        let _e1485 = phi_3040_;
-                        let _e1487 = phi_771_;
-                        let _e1489 = phi_774_;
-                        let _e1491 = phi_776_;
-                        let _e1493 = phi_778_;
-                        let _e1495 = phi_780_;
-                        let _e1497 = phi_2848_;
+                        let _e1668 = phi_3304_;
+                        let _e1670 = phi_993_;
+                        let _e1672 = phi_996_;
+                        let _e1674 = phi_998_;
+                        let _e1676 = phi_1000_;
+                        let _e1678 = phi_1002_;
+                        let _e1680 = phi_3094_;
                         continue;
                         continuing {
-                            phi_2906_ = _e1485;
-                            phi_770_ = _e1487;
-                            phi_773_ = _e1489;
-                            phi_775_ = _e1491;
-                            phi_777_ = _e1493;
-                            phi_779_ = _e1495;
-                            phi_3039_ = _e1485;
-                            break if !(_e1497);
+                            phi_3152_ = _e1668;
+                            phi_992_ = _e1670;
+                            phi_995_ = _e1672;
+                            phi_997_ = _e1674;
+                            phi_999_ = _e1676;
+                            phi_1001_ = _e1678;
+                            phi_3303_ = _e1668;
+                            break if !(_e1680);
                         }
                     }
-                    let _e1500 = phi_3039_;
-                    if _e1500 {
+                    let _e1683 = phi_3303_;
+                    if _e1683 {
                         break;
                     }
-                    let _e1502 = local_11;
-                    if _e130 {
+                    let _e1685 = local_11;
+                    if _e134 {
                     } else {
                         break;
                     }
-                    global_5.member[_e128] = select(0u, 1u, _e1502.member_1);
+                    global_5.member[_e132] = select(0u, 1u, _e1685.member_1);
                 }
             }
             break;

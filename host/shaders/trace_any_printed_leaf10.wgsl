@@ -93,390 +93,450 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_332_: i32;
-    var phi_333_: i32;
-    var phi_343_: bool;
-    var phi_353_: u32;
-    var phi_354_: u32;
-    var phi_356_: bool;
-    var phi_361_: u32;
-    var phi_373_: i32;
-    var phi_393_: i32;
-    var phi_411_: f32;
-    var phi_417_: f32;
-    var phi_428_: f32;
-    var phi_434_: f32;
-    var phi_457_: f32;
-    var phi_468_: f32;
-    var phi_477_: f32;
-    var phi_483_: f32;
-    var phi_494_: f32;
-    var phi_500_: f32;
-    var phi_523_: f32;
-    var phi_534_: f32;
+    var phi_334_: i32;
+    var phi_335_: i32;
+    var phi_345_: bool;
+    var phi_355_: u32;
+    var phi_356_: u32;
+    var phi_358_: bool;
+    var phi_363_: u32;
+    var phi_375_: i32;
+    var phi_395_: i32;
+    var phi_413_: f32;
+    var phi_419_: f32;
+    var phi_459_: f32;
+    var phi_465_: f32;
+    var phi_517_: f32;
+    var phi_528_: f32;
+    var phi_537_: f32;
     var phi_543_: f32;
-    var phi_549_: f32;
-    var phi_560_: f32;
-    var phi_566_: f32;
+    var phi_583_: f32;
     var phi_589_: f32;
-    var phi_600_: f32;
-    var phi_700_: f32;
-    var phi_701_: f32;
-    var phi_3077_: bool;
-    var phi_774_: type_32;
-    var phi_777_: type_49;
-    var phi_779_: u32;
-    var phi_781_: bool;
-    var phi_783_: u32;
-    var phi_794_: bool;
-    var phi_880_: type_49;
-    var phi_881_: bool;
-    var phi_882_: u32;
-    var phi_2075_: type_36;
-    var phi_2907_: type_49;
-    var phi_2984_: type_49;
-    var phi_2985_: type_49;
-    var phi_2986_: u32;
-    var phi_2988_: type_49;
-    var phi_2989_: u32;
-    var phi_2990_: bool;
-    var phi_2997_: type_49;
-    var phi_3002_: type_49;
-    var phi_3003_: bool;
-    var phi_901_: type_32;
-    var phi_904_: type_7;
-    var phi_905_: type_7;
-    var phi_927_: type_7;
-    var phi_952_: u32;
-    var phi_968_: type_43;
-    var phi_1344_: bool;
-    var phi_1373_: bool;
-    var phi_1750_: f32;
-    var phi_1751_: f32;
-    var phi_1752_: f32;
-    var phi_1753_: f32;
-    var phi_1754_: vec3<f32>;
-    var phi_1755_: vec3<f32>;
-    var phi_1756_: vec3<f32>;
-    var phi_1757_: vec3<f32>;
-    var phi_1788_: bool;
-    var phi_1797_: vec3<f32>;
-    var phi_1962_: f32;
-    var phi_1964_: f32;
-    var phi_1965_: bool;
-    var phi_1985_: f32;
-    var phi_1986_: f32;
-    var phi_2009_: type_21;
-    var phi_2011_: type_21;
-    var phi_2012_: bool;
-    var phi_2016_: type_21;
-    var phi_2017_: type_21;
-    var phi_2018_: type_21;
-    var phi_2019_: bool;
-    var phi_2023_: type_21;
-    var phi_2024_: bool;
-    var phi_2025_: type_21;
-    var phi_2026_: bool;
-    var phi_2027_: bool;
-    var phi_2028_: type_21;
-    var phi_2029_: bool;
-    var phi_2030_: bool;
-    var phi_2038_: type_21;
-    var phi_2039_: bool;
-    var phi_2043_: type_21;
-    var phi_2054_: type_32;
-    var phi_2055_: type_32;
-    var phi_902_: type_32;
-    var phi_3071_: bool;
+    var phi_641_: f32;
+    var phi_652_: f32;
+    var phi_661_: f32;
+    var phi_667_: f32;
+    var phi_707_: f32;
+    var phi_713_: f32;
+    var phi_765_: f32;
+    var phi_776_: f32;
+    var phi_831_: i32;
+    var phi_853_: u32;
+    var phi_854_: u32;
+    var phi_891_: i32;
+    var phi_913_: u32;
+    var phi_914_: u32;
+    var phi_922_: f32;
+    var phi_923_: f32;
+    var phi_3341_: bool;
+    var phi_996_: type_32;
+    var phi_999_: type_49;
+    var phi_1001_: u32;
+    var phi_1003_: bool;
+    var phi_1005_: u32;
+    var phi_1016_: bool;
+    var phi_1102_: type_49;
+    var phi_1103_: bool;
+    var phi_1104_: u32;
+    var phi_2315_: type_36;
+    var phi_3171_: type_49;
+    var phi_3248_: type_49;
+    var phi_3249_: type_49;
+    var phi_3250_: u32;
+    var phi_3252_: type_49;
+    var phi_3253_: u32;
+    var phi_3254_: bool;
+    var phi_3261_: type_49;
+    var phi_3266_: type_49;
+    var phi_3267_: bool;
+    var phi_1123_: type_32;
+    var phi_1126_: type_7;
+    var phi_1127_: type_7;
+    var phi_1149_: type_7;
+    var phi_1174_: u32;
+    var phi_1190_: type_43;
+    var phi_1584_: bool;
+    var phi_1613_: bool;
+    var phi_1990_: f32;
+    var phi_1991_: f32;
+    var phi_1992_: f32;
+    var phi_1993_: f32;
+    var phi_1994_: vec3<f32>;
+    var phi_1995_: vec3<f32>;
+    var phi_1996_: vec3<f32>;
+    var phi_1997_: vec3<f32>;
+    var phi_2028_: bool;
+    var phi_2037_: vec3<f32>;
+    var phi_2202_: f32;
+    var phi_2204_: f32;
+    var phi_2205_: bool;
+    var phi_2225_: f32;
+    var phi_2226_: f32;
+    var phi_2249_: type_21;
+    var phi_2251_: type_21;
+    var phi_2252_: bool;
+    var phi_2256_: type_21;
+    var phi_2257_: type_21;
+    var phi_2258_: type_21;
+    var phi_2259_: bool;
+    var phi_2263_: type_21;
+    var phi_2264_: bool;
+    var phi_2265_: type_21;
+    var phi_2266_: bool;
+    var phi_2267_: bool;
+    var phi_2268_: type_21;
+    var phi_2269_: bool;
+    var phi_2270_: bool;
+    var phi_2278_: type_21;
+    var phi_2279_: bool;
+    var phi_2283_: type_21;
+    var phi_2294_: type_32;
+    var phi_2295_: type_32;
+    var phi_1124_: type_32;
+    var phi_3335_: bool;
     var local_10: type_32;
-    var phi_3232_: bool;
-    var phi_3005_: type_32;
-    var phi_3006_: type_49;
-    var phi_3007_: bool;
-    var phi_3008_: u32;
-    var phi_3231_: bool;
-    var phi_3009_: type_32;
-    var phi_3010_: type_49;
-    var phi_3011_: u32;
-    var phi_3012_: bool;
-    var phi_3013_: u32;
-    var phi_3230_: bool;
-    var phi_3014_: type_32;
-    var phi_3015_: type_49;
-    var phi_3016_: u32;
-    var phi_3017_: bool;
-    var phi_3018_: u32;
-    var phi_3229_: bool;
-    var phi_775_: type_32;
-    var phi_778_: type_49;
-    var phi_780_: u32;
-    var phi_782_: bool;
-    var phi_784_: u32;
-    var phi_3019_: bool;
-    var phi_3228_: bool;
+    var phi_3514_: bool;
+    var phi_3269_: type_32;
+    var phi_3270_: type_49;
+    var phi_3271_: bool;
+    var phi_3272_: u32;
+    var phi_3513_: bool;
+    var phi_3273_: type_32;
+    var phi_3274_: type_49;
+    var phi_3275_: u32;
+    var phi_3276_: bool;
+    var phi_3277_: u32;
+    var phi_3512_: bool;
+    var phi_3278_: type_32;
+    var phi_3279_: type_49;
+    var phi_3280_: u32;
+    var phi_3281_: bool;
+    var phi_3282_: u32;
+    var phi_3511_: bool;
+    var phi_997_: type_32;
+    var phi_1000_: type_49;
+    var phi_1002_: u32;
+    var phi_1004_: bool;
+    var phi_1006_: u32;
+    var phi_3283_: bool;
+    var phi_3510_: bool;
     var local_11: type_32;
     var local_12: type_32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e75 = global;
-            let _e78 = arrayLength((&global_5.member));
-            let _e89 = global_2.member[0u][0u];
-            let _e93 = global_2.member[0u][1u];
-            let _e97 = global_2.member[0u][2u];
-            let _e101 = global_2.member[1u][0u];
-            let _e105 = global_2.member[1u][1u];
-            let _e109 = global_2.member[1u][2u];
-            let _e113 = global_2.member[1u][3u];
-            let _e116 = global_1.member[0u];
-            let _e117 = bitcast<i32>(_e116);
-            let _e127 = (_e75.x + (_e75.y * 2097152u));
-            let _e128 = (_e127 < arrayLength((&global_3.member)));
-            if _e128 {
-                let _e129 = (_e127 < arrayLength((&global_4.member)));
-                if _e129 {
-                    if _e128 {
+            let _e79 = global;
+            let _e82 = arrayLength((&global_5.member));
+            let _e93 = global_2.member[0u][0u];
+            let _e97 = global_2.member[0u][1u];
+            let _e101 = global_2.member[0u][2u];
+            let _e105 = global_2.member[1u][0u];
+            let _e109 = global_2.member[1u][1u];
+            let _e113 = global_2.member[1u][2u];
+            let _e117 = global_2.member[1u][3u];
+            let _e120 = global_1.member[0u];
+            let _e121 = bitcast<i32>(_e120);
+            let _e131 = (_e79.x + (_e79.y * 2097152u));
+            let _e132 = (_e131 < arrayLength((&global_3.member)));
+            if _e132 {
+                let _e133 = (_e131 < arrayLength((&global_4.member)));
+                if _e133 {
+                    if _e132 {
                     } else {
                         break;
                     }
-                    let _e137 = global_3.member[_e127].member_2[0u];
-                    let _e139 = (bitcast<u32>(_e137) & 2147483647u);
-                    let _e144 = global_3.member[_e127].member_2[1u];
-                    let _e146 = (bitcast<u32>(_e144) & 2147483647u);
-                    let _e151 = global_3.member[_e127].member_2[2u];
-                    let _e153 = (bitcast<u32>(_e151) & 2147483647u);
-                    let _e158 = global_3.member[_e127].member[0u];
-                    let _e160 = (bitcast<u32>(_e158) & 2147483647u);
-                    let _e165 = global_3.member[_e127].member[1u];
-                    let _e167 = (bitcast<u32>(_e165) & 2147483647u);
-                    let _e172 = global_3.member[_e127].member[2u];
-                    let _e174 = (bitcast<u32>(_e172) & 2147483647u);
-                    let _e176 = select(_e146, _e139, (_e146 < _e139));
-                    let _e178 = select(_e153, _e176, (_e153 < _e176));
-                    let _e180 = select(_e160, _e178, (_e160 < _e178));
-                    let _e182 = select(_e167, _e180, (_e167 < _e180));
-                    let _e184 = select(_e174, _e182, (_e174 < _e182));
-                    let _e188 = global_3.member[_e127].member_1;
-                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                    let _e197 = global_3.member[_e127].member_3;
-                    let _e203 = (((select(_e190, _e184, (_e190 < _e184)) < 2139095040u) && ((bitcast<u32>(_e197) & 2147483647u) <= 2139095040u)) && (_e178 > 0u));
-                    if _e203 {
-                        let _e206 = (bitcast<u32>(bitcast<f32>(_e178)) & 2147483647u);
-                        if (_e206 >= 8388608u) {
-                            phi_332_ = (bitcast<i32>((_e206 >> bitcast<u32>(23i))) - 127i);
+                    let _e141 = global_3.member[_e131].member_2[0u];
+                    let _e143 = (bitcast<u32>(_e141) & 2147483647u);
+                    let _e148 = global_3.member[_e131].member_2[1u];
+                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
+                    let _e155 = global_3.member[_e131].member_2[2u];
+                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                    let _e162 = global_3.member[_e131].member[0u];
+                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
+                    let _e169 = global_3.member[_e131].member[1u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e176 = global_3.member[_e131].member[2u];
+                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
+                    let _e180 = select(_e150, _e143, (_e150 < _e143));
+                    let _e182 = select(_e157, _e180, (_e157 < _e180));
+                    let _e184 = select(_e164, _e182, (_e164 < _e182));
+                    let _e186 = select(_e171, _e184, (_e171 < _e184));
+                    let _e188 = select(_e178, _e186, (_e178 < _e186));
+                    let _e192 = global_3.member[_e131].member_1;
+                    let _e193 = bitcast<u32>(_e192);
+                    let _e194 = (_e193 & 2147483647u);
+                    let _e201 = global_3.member[_e131].member_3;
+                    let _e202 = bitcast<u32>(_e201);
+                    let _e203 = (_e202 & 2147483647u);
+                    let _e207 = (((select(_e194, _e188, (_e194 < _e188)) < 2139095040u) && (_e203 <= 2139095040u)) && (_e182 > 0u));
+                    if _e207 {
+                        let _e210 = (bitcast<u32>(bitcast<f32>(_e182)) & 2147483647u);
+                        if (_e210 >= 8388608u) {
+                            phi_334_ = (bitcast<i32>((_e210 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_332_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e206)), 32u, (_e206 == 0u))));
+                            phi_334_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e210)), 32u, (_e210 == 0u))));
                         }
-                        let _e220 = phi_332_;
-                        phi_333_ = _e220;
+                        let _e224 = phi_334_;
+                        phi_335_ = _e224;
                     } else {
-                        phi_333_ = 0i;
+                        phi_335_ = 0i;
                     }
-                    let _e222 = phi_333_;
-                    let _e223 = (_e139 == _e178);
-                    if _e223 {
-                        phi_343_ = true;
+                    let _e226 = phi_335_;
+                    let _e227 = (_e143 == _e182);
+                    if _e227 {
+                        phi_345_ = true;
                     } else {
-                        phi_343_ = (_e146 == _e178);
+                        phi_345_ = (_e150 == _e182);
                     }
-                    let _e226 = phi_343_;
-                    let _e227 = select(1u, 0u, _e223);
-                    if _e226 {
-                        let _e228 = (_e227 + 1u);
-                        phi_353_ = _e228;
-                        phi_354_ = _e228;
-                        phi_356_ = select(true, false, (_e228 == 2u));
+                    let _e230 = phi_345_;
+                    let _e231 = select(1u, 0u, _e227);
+                    if _e230 {
+                        let _e232 = (_e231 + 1u);
+                        phi_355_ = _e232;
+                        phi_356_ = _e232;
+                        phi_358_ = select(true, false, (_e232 == 2u));
                     } else {
-                        phi_353_ = u32();
-                        phi_354_ = 0u;
-                        phi_356_ = true;
+                        phi_355_ = u32();
+                        phi_356_ = 0u;
+                        phi_358_ = true;
                     }
-                    let _e232 = phi_353_;
-                    let _e234 = phi_354_;
-                    let _e236 = phi_356_;
-                    if _e236 {
-                        phi_361_ = (_e234 + 1u);
+                    let _e236 = phi_355_;
+                    let _e238 = phi_356_;
+                    let _e240 = phi_358_;
+                    if _e240 {
+                        phi_363_ = (_e238 + 1u);
                     } else {
-                        phi_361_ = 0u;
+                        phi_363_ = 0u;
                     }
-                    let _e240 = phi_361_;
-                    let _e241 = select(_e232, _e234, _e236);
-                    let _e242 = select(_e227, select(2u, _e227, _e226), _e236);
-                    if (_e117 < -126i) {
-                        phi_373_ = -126i;
+                    let _e244 = phi_363_;
+                    let _e245 = select(_e236, _e238, _e240);
+                    let _e246 = select(_e231, select(2u, _e231, _e230), _e240);
+                    if (_e121 < -126i) {
+                        phi_375_ = -126i;
                     } else {
-                        phi_373_ = select(_e117, 127i, (_e117 > 127i));
+                        phi_375_ = select(_e121, 127i, (_e121 > 127i));
                     }
-                    let _e247 = phi_373_;
-                    let _e252 = bitcast<f32>((bitcast<u32>((_e247 + 127i)) << bitcast<u32>(23i)));
-                    let _e258 = bitcast<f32>((bitcast<u32>(((_e117 - _e247) + 127i)) << bitcast<u32>(23i)));
-                    let _e259 = -(_e222);
-                    if (_e259 < -126i) {
-                        phi_393_ = -126i;
+                    let _e251 = phi_375_;
+                    let _e256 = bitcast<f32>((bitcast<u32>((_e251 + 127i)) << bitcast<u32>(23i)));
+                    let _e262 = bitcast<f32>((bitcast<u32>(((_e121 - _e251) + 127i)) << bitcast<u32>(23i)));
+                    let _e263 = -(_e226);
+                    if (_e263 < -126i) {
+                        phi_395_ = -126i;
                     } else {
-                        phi_393_ = select(_e259, 127i, (_e259 > 127i));
+                        phi_395_ = select(_e263, 127i, (_e263 > 127i));
                     }
-                    let _e264 = phi_393_;
-                    let _e269 = bitcast<f32>((bitcast<u32>((_e264 + 127i)) << bitcast<u32>(23i)));
-                    let _e275 = bitcast<f32>((bitcast<u32>(((_e259 - _e264) + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = global_3.member[_e127].member;
-                    let _e280 = (_e241 == 0u);
-                    if _e280 {
-                        phi_411_ = _e279[0];
+                    let _e268 = phi_395_;
+                    let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
+                    let _e279 = bitcast<f32>((bitcast<u32>(((_e263 - _e268) + 127i)) << bitcast<u32>(23i)));
+                    let _e283 = global_3.member[_e131].member;
+                    let _e284 = (_e245 == 0u);
+                    if _e284 {
+                        phi_413_ = _e283[0];
                     } else {
-                        phi_411_ = _e279[1];
+                        phi_413_ = _e283[1];
                     }
-                    let _e284 = phi_411_;
-                    let _e285 = (_e241 == 2u);
-                    if _e285 {
-                        phi_417_ = _e279[2];
+                    let _e288 = phi_413_;
+                    let _e289 = (_e245 == 2u);
+                    if _e289 {
+                        phi_419_ = _e283[2];
                     } else {
-                        phi_417_ = _e284;
+                        phi_419_ = _e288;
                     }
-                    let _e288 = phi_417_;
-                    let _e290 = ((_e288 * _e252) * _e258);
-                    let _e291 = global_3.member[_e127].member_2;
-                    if _e280 {
-                        phi_428_ = _e291[0];
+                    let _e292 = phi_419_;
+                    let _e293 = bitcast<u32>(_e292);
+                    let _e295 = ((_e293 & 2139095040u) != 0u);
+                    let _e309 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e293 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e293 & 2147483648u))), _e292, _e295) * _e256) * select(0.00000011920929f, 1f, _e295)) * _e262);
+                    let _e310 = global_3.member[_e131].member_2;
+                    if _e284 {
+                        phi_459_ = _e310[0];
                     } else {
-                        phi_428_ = _e291[1];
+                        phi_459_ = _e310[1];
                     }
-                    let _e295 = phi_428_;
-                    if _e285 {
-                        phi_434_ = _e291[2];
+                    let _e314 = phi_459_;
+                    if _e289 {
+                        phi_465_ = _e310[2];
                     } else {
-                        phi_434_ = _e295;
+                        phi_465_ = _e314;
                     }
-                    let _e298 = phi_434_;
-                    let _e300 = ((_e298 * _e269) * _e275);
-                    let _e304 = (bitcast<f32>((bitcast<u32>(_e300) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e304 {
-                        let _e308 = (bitcast<f32>((bitcast<u32>(_e290) & 2147483647u)) * 0.00000011920929f);
-                        phi_457_ = select(0.00000000000011368684f, _e308, (_e308 > 0.00000000000011368684f));
+                    let _e317 = phi_465_;
+                    let _e318 = bitcast<u32>(_e317);
+                    let _e320 = ((_e318 & 2139095040u) != 0u);
+                    let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e273) * select(0.00000011920929f, 1f, _e320)) * _e279);
+                    let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e338 {
+                        let _e342 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
+                        phi_517_ = select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f));
                     } else {
-                        phi_457_ = 0f;
+                        phi_517_ = 0f;
                     }
-                    let _e312 = phi_457_;
-                    let _e313 = (_e290 + _e312);
-                    let _e314 = (_e290 - _e312);
-                    let _e315 = select(_e300, 0f, _e304);
-                    if _e304 {
-                        phi_468_ = 38685626000000000000000000f;
+                    let _e346 = phi_517_;
+                    let _e347 = (_e309 + _e346);
+                    let _e348 = (_e309 - _e346);
+                    let _e349 = select(_e334, 0f, _e338);
+                    if _e338 {
+                        phi_528_ = 38685626000000000000000000f;
                     } else {
-                        phi_468_ = (1f / _e300);
+                        phi_528_ = (1f / _e334);
                     }
-                    let _e318 = phi_468_;
-                    let _e319 = (_e240 == 0u);
-                    if _e319 {
-                        phi_477_ = _e279[0];
+                    let _e352 = phi_528_;
+                    let _e353 = (_e244 == 0u);
+                    if _e353 {
+                        phi_537_ = _e283[0];
                     } else {
-                        phi_477_ = _e279[1];
+                        phi_537_ = _e283[1];
                     }
-                    let _e323 = phi_477_;
-                    let _e324 = (_e240 == 2u);
-                    if _e324 {
-                        phi_483_ = _e279[2];
+                    let _e357 = phi_537_;
+                    let _e358 = (_e244 == 2u);
+                    if _e358 {
+                        phi_543_ = _e283[2];
                     } else {
-                        phi_483_ = _e323;
-                    }
-                    let _e327 = phi_483_;
-                    let _e329 = ((_e327 * _e252) * _e258);
-                    if _e319 {
-                        phi_494_ = _e291[0];
-                    } else {
-                        phi_494_ = _e291[1];
-                    }
-                    let _e333 = phi_494_;
-                    if _e324 {
-                        phi_500_ = _e291[2];
-                    } else {
-                        phi_500_ = _e333;
-                    }
-                    let _e336 = phi_500_;
-                    let _e338 = ((_e336 * _e269) * _e275);
-                    let _e342 = (bitcast<f32>((bitcast<u32>(_e338) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e342 {
-                        let _e346 = (bitcast<f32>((bitcast<u32>(_e329) & 2147483647u)) * 0.00000011920929f);
-                        phi_523_ = select(0.00000000000011368684f, _e346, (_e346 > 0.00000000000011368684f));
-                    } else {
-                        phi_523_ = 0f;
-                    }
-                    let _e350 = phi_523_;
-                    let _e351 = (_e329 + _e350);
-                    let _e352 = (_e329 - _e350);
-                    let _e353 = select(_e338, 0f, _e342);
-                    if _e342 {
-                        phi_534_ = 38685626000000000000000000f;
-                    } else {
-                        phi_534_ = (1f / _e338);
-                    }
-                    let _e356 = phi_534_;
-                    let _e357 = (_e242 == 0u);
-                    if _e357 {
-                        phi_543_ = _e279[0];
-                    } else {
-                        phi_543_ = _e279[1];
+                        phi_543_ = _e357;
                     }
                     let _e361 = phi_543_;
-                    let _e362 = (_e242 == 2u);
-                    if _e362 {
-                        phi_549_ = _e279[2];
+                    let _e362 = bitcast<u32>(_e361);
+                    let _e364 = ((_e362 & 2139095040u) != 0u);
+                    let _e378 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e362 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e362 & 2147483648u))), _e361, _e364) * _e256) * select(0.00000011920929f, 1f, _e364)) * _e262);
+                    if _e353 {
+                        phi_583_ = _e310[0];
                     } else {
-                        phi_549_ = _e361;
+                        phi_583_ = _e310[1];
                     }
-                    let _e365 = phi_549_;
-                    let _e367 = ((_e365 * _e252) * _e258);
-                    if _e357 {
-                        phi_560_ = _e291[0];
+                    let _e382 = phi_583_;
+                    if _e358 {
+                        phi_589_ = _e310[2];
                     } else {
-                        phi_560_ = _e291[1];
+                        phi_589_ = _e382;
                     }
-                    let _e371 = phi_560_;
-                    if _e362 {
-                        phi_566_ = _e291[2];
+                    let _e385 = phi_589_;
+                    let _e386 = bitcast<u32>(_e385);
+                    let _e388 = ((_e386 & 2139095040u) != 0u);
+                    let _e402 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e386 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e386 & 2147483648u))), _e385, _e388) * _e273) * select(0.00000011920929f, 1f, _e388)) * _e279);
+                    let _e406 = (bitcast<f32>((bitcast<u32>(_e402) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e406 {
+                        let _e410 = (bitcast<f32>((bitcast<u32>(_e378) & 2147483647u)) * 0.00000011920929f);
+                        phi_641_ = select(0.00000000000011368684f, _e410, (_e410 > 0.00000000000011368684f));
                     } else {
-                        phi_566_ = _e371;
+                        phi_641_ = 0f;
                     }
-                    let _e374 = phi_566_;
-                    let _e376 = ((_e374 * _e269) * _e275);
-                    let _e380 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e380 {
-                        let _e384 = (bitcast<f32>((bitcast<u32>(_e367) & 2147483647u)) * 0.00000011920929f);
-                        phi_589_ = select(0.00000000000011368684f, _e384, (_e384 > 0.00000000000011368684f));
+                    let _e414 = phi_641_;
+                    let _e415 = (_e378 + _e414);
+                    let _e416 = (_e378 - _e414);
+                    let _e417 = select(_e402, 0f, _e406);
+                    if _e406 {
+                        phi_652_ = 38685626000000000000000000f;
                     } else {
-                        phi_589_ = 0f;
+                        phi_652_ = (1f / _e402);
                     }
-                    let _e388 = phi_589_;
-                    let _e389 = (_e367 + _e388);
-                    let _e390 = (_e367 - _e388);
-                    let _e391 = select(_e376, 0f, _e380);
-                    if _e380 {
-                        phi_600_ = 38685626000000000000000000f;
+                    let _e420 = phi_652_;
+                    let _e421 = (_e246 == 0u);
+                    if _e421 {
+                        phi_661_ = _e283[0];
                     } else {
-                        phi_600_ = (1f / _e376);
+                        phi_661_ = _e283[1];
                     }
-                    let _e394 = phi_600_;
-                    let _e397 = bitcast<f32>((bitcast<u32>(_e290) & 2147483647u));
-                    let _e400 = bitcast<f32>((bitcast<u32>(_e329) & 2147483647u));
-                    let _e402 = select(_e400, _e397, (_e397 > _e400));
-                    let _e405 = bitcast<f32>((bitcast<u32>(_e367) & 2147483647u));
-                    let _e408 = (_e117 + _e222);
-                    if (_e203 && (select(_e405, _e402, (_e402 > _e405)) <= 1099511600000f)) {
-                        let _e411 = (_e408 / 3i);
-                        let _e418 = bitcast<f32>((bitcast<u32>((_e411 + 127i)) << bitcast<u32>(23i)));
-                        let _e425 = bitcast<f32>((bitcast<u32>(((_e408 - (2i * _e411)) + 127i)) << bitcast<u32>(23i)));
-                        let _e426 = (((_e188 * _e418) * _e418) * _e425);
-                        let _e428 = select(340282350000000000000000000000000000000f, _e426, (_e426 < 340282350000000000000000000000000000000f));
-                        let _e433 = (((_e197 * _e418) * _e418) * _e425);
-                        let _e435 = select(340282350000000000000000000000000000000f, _e433, (_e433 < 340282350000000000000000000000000000000f));
-                        phi_700_ = select(-340282350000000000000000000000000000000f, _e435, (_e435 > -340282350000000000000000000000000000000f));
-                        phi_701_ = select(-340282350000000000000000000000000000000f, _e428, (_e428 > -340282350000000000000000000000000000000f));
+                    let _e425 = phi_661_;
+                    let _e426 = (_e246 == 2u);
+                    if _e426 {
+                        phi_667_ = _e283[2];
                     } else {
-                        phi_700_ = 0f;
-                        phi_701_ = 1f;
+                        phi_667_ = _e425;
                     }
-                    let _e439 = phi_700_;
-                    let _e441 = phi_701_;
+                    let _e429 = phi_667_;
+                    let _e430 = bitcast<u32>(_e429);
+                    let _e432 = ((_e430 & 2139095040u) != 0u);
+                    let _e446 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e430 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e430 & 2147483648u))), _e429, _e432) * _e256) * select(0.00000011920929f, 1f, _e432)) * _e262);
+                    if _e421 {
+                        phi_707_ = _e310[0];
+                    } else {
+                        phi_707_ = _e310[1];
+                    }
+                    let _e450 = phi_707_;
+                    if _e426 {
+                        phi_713_ = _e310[2];
+                    } else {
+                        phi_713_ = _e450;
+                    }
+                    let _e453 = phi_713_;
+                    let _e454 = bitcast<u32>(_e453);
+                    let _e456 = ((_e454 & 2139095040u) != 0u);
+                    let _e470 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e454 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e454 & 2147483648u))), _e453, _e456) * _e273) * select(0.00000011920929f, 1f, _e456)) * _e279);
+                    let _e474 = (bitcast<f32>((bitcast<u32>(_e470) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e474 {
+                        let _e478 = (bitcast<f32>((bitcast<u32>(_e446) & 2147483647u)) * 0.00000011920929f);
+                        phi_765_ = select(0.00000000000011368684f, _e478, (_e478 > 0.00000000000011368684f));
+                    } else {
+                        phi_765_ = 0f;
+                    }
+                    let _e482 = phi_765_;
+                    let _e483 = (_e446 + _e482);
+                    let _e484 = (_e446 - _e482);
+                    let _e485 = select(_e470, 0f, _e474);
+                    if _e474 {
+                        phi_776_ = 38685626000000000000000000f;
+                    } else {
+                        phi_776_ = (1f / _e470);
+                    }
+                    let _e488 = phi_776_;
+                    let _e491 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
+                    let _e494 = bitcast<f32>((bitcast<u32>(_e378) & 2147483647u));
+                    let _e496 = select(_e494, _e491, (_e491 > _e494));
+                    let _e499 = bitcast<f32>((bitcast<u32>(_e446) & 2147483647u));
+                    let _e502 = (_e121 + _e226);
+                    if (_e207 && (select(_e499, _e496, (_e496 > _e499)) <= 1099511600000f)) {
+                        let _e512 = ((_e194 & 8388607u) | (select(0u, 1u, ((_e194 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e515 = bitcast<i32>((_e194 >> bitcast<u32>(23i)));
+                        let _e519 = (_e512 == 0u);
+                        let _e522 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e512)), 32u, _e519)) - 8i);
+                        if (_e515 == 255i) {
+                            phi_831_ = 255i;
+                        } else {
+                            phi_831_ = (((_e515 + select(0i, 1i, (_e515 == 0i))) - _e522) + _e502);
+                        }
+                        let _e530 = phi_831_;
+                        let _e540 = (_e530 <= 0i);
+                        if _e540 {
+                            phi_854_ = u32();
+                        } else {
+                            if _e519 {
+                                phi_853_ = u32();
+                            } else {
+                                phi_853_ = select(((bitcast<u32>(_e530) << bitcast<u32>(23i)) | ((_e512 << bitcast<u32>(((_e522 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e530 >= 255i));
+                            }
+                            let _e544 = phi_853_;
+                            phi_854_ = _e544;
+                        }
+                        let _e546 = phi_854_;
+                        let _e558 = ((_e203 & 8388607u) | (select(0u, 1u, ((_e203 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e561 = bitcast<i32>((_e203 >> bitcast<u32>(23i)));
+                        let _e565 = (_e558 == 0u);
+                        let _e568 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e558)), 32u, _e565)) - 8i);
+                        if (_e561 == 255i) {
+                            phi_891_ = 255i;
+                        } else {
+                            phi_891_ = (((_e561 + select(0i, 1i, (_e561 == 0i))) - _e568) + _e502);
+                        }
+                        let _e576 = phi_891_;
+                        let _e586 = (_e576 <= 0i);
+                        if _e586 {
+                            phi_914_ = u32();
+                        } else {
+                            if _e565 {
+                                phi_913_ = u32();
+                            } else {
+                                phi_913_ = select(((bitcast<u32>(_e576) << bitcast<u32>(23i)) | ((_e558 << bitcast<u32>(((_e568 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e576 >= 255i));
+                            }
+                            let _e590 = phi_913_;
+                            phi_914_ = _e590;
+                        }
+                        let _e592 = phi_914_;
+                        phi_922_ = bitcast<f32>(((_e202 & 2147483648u) | select(_e592, 0u, select(_e565, true, _e586))));
+                        phi_923_ = bitcast<f32>(((_e193 & 2147483648u) | select(_e546, 0u, select(_e519, true, _e540))));
+                    } else {
+                        phi_922_ = 0f;
+                        phi_923_ = 1f;
+                    }
+                    let _e598 = phi_922_;
+                    let _e600 = phi_923_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -485,823 +545,823 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e89), bitcast<f32>(_e93), bitcast<f32>(_e97));
-                    let _e446 = (_e241 % 3u);
-                    let _e447 = (_e446 < 3u);
-                    if _e447 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e93), bitcast<f32>(_e97), bitcast<f32>(_e101));
+                    let _e605 = (_e245 % 3u);
+                    let _e606 = (_e605 < 3u);
+                    if _e606 {
                     } else {
                         break;
                     }
-                    let _e449 = local_9[_e446];
-                    let _e450 = (_e240 % 3u);
-                    let _e451 = (_e450 < 3u);
-                    if _e451 {
+                    let _e608 = local_9[_e605];
+                    let _e609 = (_e244 % 3u);
+                    let _e610 = (_e609 < 3u);
+                    if _e610 {
                     } else {
                         break;
                     }
-                    let _e453 = local_9[_e450];
-                    let _e454 = (_e242 % 3u);
-                    let _e455 = (_e454 < 3u);
-                    if _e455 {
+                    let _e612 = local_9[_e609];
+                    let _e613 = (_e246 % 3u);
+                    let _e614 = (_e613 < 3u);
+                    if _e614 {
                     } else {
                         break;
                     }
-                    let _e457 = local_9[_e454];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e101), bitcast<f32>(_e105), bitcast<f32>(_e109));
-                    if _e447 {
+                    let _e616 = local_9[_e613];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
+                    if _e606 {
                     } else {
                         break;
                     }
-                    let _e461 = local_8[_e446];
-                    if _e451 {
+                    let _e620 = local_8[_e605];
+                    if _e610 {
                     } else {
                         break;
                     }
-                    let _e463 = local_8[_e450];
-                    if _e455 {
+                    let _e622 = local_8[_e609];
+                    if _e614 {
                     } else {
                         break;
                     }
-                    let _e465 = local_8[_e454];
-                    phi_3077_ = false;
-                    phi_774_ = type_32(_e439, false);
-                    phi_777_ = type_49(type_41(array<f32, 3>(_e449, _e453, _e457), array<f32, 3>(_e461, _e463, _e465)), select(0u, 2147483648u, (_e78 == 0u)));
-                    phi_779_ = ((3u * _e78) + 1u);
-                    phi_781_ = (_e441 <= _e439);
-                    phi_783_ = 0u;
+                    let _e624 = local_8[_e613];
+                    phi_3341_ = false;
+                    phi_996_ = type_32(_e598, false);
+                    phi_999_ = type_49(type_41(array<f32, 3>(_e608, _e612, _e616), array<f32, 3>(_e620, _e622, _e624)), select(0u, 2147483648u, (_e82 == 0u)));
+                    phi_1001_ = ((3u * _e82) + 1u);
+                    phi_1003_ = (_e600 <= _e598);
+                    phi_1005_ = 0u;
                     loop {
-                        let _e473 = phi_3077_;
-                        let _e475 = phi_774_;
-                        let _e477 = phi_777_;
-                        let _e479 = phi_779_;
-                        let _e481 = phi_781_;
-                        let _e483 = phi_783_;
-                        local_11 = _e475;
-                        if _e481 {
-                            phi_794_ = true;
+                        let _e632 = phi_3341_;
+                        let _e634 = phi_996_;
+                        let _e636 = phi_999_;
+                        let _e638 = phi_1001_;
+                        let _e640 = phi_1003_;
+                        let _e642 = phi_1005_;
+                        local_11 = _e634;
+                        if _e640 {
+                            phi_1016_ = true;
                         } else {
-                            phi_794_ = (_e483 > 0u);
+                            phi_1016_ = (_e642 > 0u);
                         }
-                        let _e486 = phi_794_;
-                        if _e486 {
-                            let _e487 = (_e479 > 0u);
-                            if _e487 {
-                                if _e481 {
-                                    phi_880_ = _e477;
-                                    phi_881_ = _e481;
-                                    phi_882_ = _e483;
+                        let _e645 = phi_1016_;
+                        if _e645 {
+                            let _e646 = (_e638 > 0u);
+                            if _e646 {
+                                if _e640 {
+                                    phi_1102_ = _e636;
+                                    phi_1103_ = _e640;
+                                    phi_1104_ = _e642;
                                 } else {
-                                    let _e488 = (_e483 - 1u);
-                                    let _e489 = (_e488 % 128u);
-                                    let _e490 = (_e489 < 128u);
-                                    if _e490 {
+                                    let _e647 = (_e642 - 1u);
+                                    let _e648 = (_e647 % 128u);
+                                    let _e649 = (_e648 < 128u);
+                                    if _e649 {
                                     } else {
-                                        phi_3228_ = true;
+                                        phi_3510_ = true;
                                         break;
                                     }
-                                    let _e492 = local_6[_e489];
-                                    if _e490 {
+                                    let _e651 = local_6[_e648];
+                                    if _e649 {
                                     } else {
-                                        phi_3228_ = true;
+                                        phi_3510_ = true;
                                         break;
                                     }
-                                    let _e494 = local_5[_e489];
-                                    if _e490 {
+                                    let _e653 = local_5[_e648];
+                                    if _e649 {
                                     } else {
-                                        phi_3228_ = true;
+                                        phi_3510_ = true;
                                         break;
                                     }
-                                    let _e496 = local_4[_e489];
-                                    if _e490 {
+                                    let _e655 = local_4[_e648];
+                                    if _e649 {
                                     } else {
-                                        phi_3228_ = true;
+                                        phi_3510_ = true;
                                         break;
                                     }
-                                    let _e498 = local_3[_e489];
-                                    if _e490 {
+                                    let _e657 = local_3[_e648];
+                                    if _e649 {
                                     } else {
-                                        phi_3228_ = true;
+                                        phi_3510_ = true;
                                         break;
                                     }
-                                    let _e501 = local_2[_e489];
-                                    if _e490 {
+                                    let _e660 = local_2[_e648];
+                                    if _e649 {
                                     } else {
-                                        phi_3228_ = true;
+                                        phi_3510_ = true;
                                         break;
                                     }
-                                    let _e503 = local_1[_e489];
-                                    if _e490 {
+                                    let _e662 = local_1[_e648];
+                                    if _e649 {
                                     } else {
-                                        phi_3228_ = true;
+                                        phi_3510_ = true;
                                         break;
                                     }
-                                    let _e505 = local[_e489];
-                                    if _e490 {
+                                    let _e664 = local[_e648];
+                                    if _e649 {
                                     } else {
-                                        phi_3228_ = true;
+                                        phi_3510_ = true;
                                         break;
                                     }
-                                    let _e510 = local_7[_e489];
-                                    phi_880_ = type_49(type_41(array<f32, 3>(_e494, _e496, _e498), array<f32, 3>(_e501, _e503, _e505)), _e492);
-                                    phi_881_ = (_e510 <= _e475.member);
-                                    phi_882_ = _e488;
+                                    let _e669 = local_7[_e648];
+                                    phi_1102_ = type_49(type_41(array<f32, 3>(_e653, _e655, _e657), array<f32, 3>(_e660, _e662, _e664)), _e651);
+                                    phi_1103_ = (_e669 <= _e634.member);
+                                    phi_1104_ = _e647;
                                 }
-                                let _e514 = phi_880_;
-                                let _e516 = phi_881_;
-                                let _e518 = phi_882_;
-                                if _e516 {
-                                    if ((_e514.member_1 & 2147483648u) != 0u) {
-                                        phi_901_ = _e475;
-                                        phi_904_ = type_7(0u, ((_e514.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e673 = phi_1102_;
+                                let _e675 = phi_1103_;
+                                let _e677 = phi_1104_;
+                                if _e675 {
+                                    if ((_e673.member_1 & 2147483648u) != 0u) {
+                                        phi_1123_ = _e634;
+                                        phi_1126_ = type_7(0u, ((_e673.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e871 = phi_901_;
-                                            let _e873 = phi_904_;
-                                            local_10 = _e871;
-                                            local_12 = _e871;
-                                            if (_e873.member < _e873.member_1) {
-                                                phi_905_ = type_7((_e873.member + 1u), _e873.member_1);
-                                                phi_927_ = type_7(1u, _e873.member);
+                                            let _e1054 = phi_1123_;
+                                            let _e1056 = phi_1126_;
+                                            local_10 = _e1054;
+                                            local_12 = _e1054;
+                                            if (_e1056.member < _e1056.member_1) {
+                                                phi_1127_ = type_7((_e1056.member + 1u), _e1056.member_1);
+                                                phi_1149_ = type_7(1u, _e1056.member);
                                             } else {
-                                                phi_905_ = _e873;
-                                                phi_927_ = type_7(0u, type_7().member_1);
+                                                phi_1127_ = _e1056;
+                                                phi_1149_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e886 = phi_905_;
-                                            let _e888 = phi_927_;
-                                            let _e892 = (bitcast<i32>(_e888.member) != 0i);
-                                            if _e892 {
-                                                let _e893 = ((_e514.member_1 & 268435455u) + _e888.member_1);
-                                                let _e894 = (_e893 < arrayLength((&global_6.member)));
-                                                if _e894 {
-                                                    if _e894 {
+                                            let _e1069 = phi_1127_;
+                                            let _e1071 = phi_1149_;
+                                            let _e1075 = (bitcast<i32>(_e1071.member) != 0i);
+                                            if _e1075 {
+                                                let _e1076 = ((_e673.member_1 & 268435455u) + _e1071.member_1);
+                                                let _e1077 = (_e1076 < arrayLength((&global_6.member)));
+                                                if _e1077 {
+                                                    if _e1077 {
                                                     } else {
-                                                        phi_3071_ = true;
+                                                        phi_3335_ = true;
                                                         break;
                                                     }
-                                                    let _e897 = global_6.member[_e893].member_1;
-                                                    phi_952_ = _e897;
+                                                    let _e1080 = global_6.member[_e1076].member_1;
+                                                    phi_1174_ = _e1080;
                                                 } else {
-                                                    phi_952_ = 4294967295u;
+                                                    phi_1174_ = 4294967295u;
                                                 }
-                                                let _e899 = phi_952_;
-                                                if _e894 {
-                                                    if _e894 {
+                                                let _e1082 = phi_1174_;
+                                                if _e1077 {
+                                                    if _e1077 {
                                                     } else {
-                                                        phi_3071_ = true;
+                                                        phi_3335_ = true;
                                                         break;
                                                     }
-                                                    let _e901 = global_6.member[_e893];
-                                                    phi_968_ = _e901;
+                                                    let _e1084 = global_6.member[_e1076];
+                                                    phi_1190_ = _e1084;
                                                 } else {
-                                                    phi_968_ = type_43(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1190_ = type_43(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e903 = phi_968_;
-                                                let _e915 = ((10u * _e241) & 31u);
-                                                let _e918 = ((_e903.member[0] >> bitcast<u32>(_e915)) & 1023u);
-                                                let _e923 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[0] - _e514.member.member[0]) * 0.0009775171f)) ^ _e113));
-                                                let _e929 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e918) * _e923)) ^ _e113)));
-                                                let _e933 = select(select(_e514.member.member_1[0], _e929, (_e929 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e918 == 1023u));
-                                                let _e935 = ((10u * _e240) & 31u);
-                                                let _e938 = ((_e903.member[0] >> bitcast<u32>(_e935)) & 1023u);
-                                                let _e943 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[1] - _e514.member.member[1]) * 0.0009775171f)) ^ _e113));
-                                                let _e949 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e938) * _e943)) ^ _e113)));
-                                                let _e953 = select(select(_e514.member.member_1[1], _e949, (_e949 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e938 == 1023u));
-                                                let _e955 = ((10u * _e242) & 31u);
-                                                let _e958 = ((_e903.member[0] >> bitcast<u32>(_e955)) & 1023u);
-                                                let _e963 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[2] - _e514.member.member[2]) * 0.0009775171f)) ^ _e113));
-                                                let _e969 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e958) * _e963)) ^ _e113)));
-                                                let _e973 = select(select(_e514.member.member_1[2], _e969, (_e969 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e958 == 1023u));
-                                                let _e977 = ((_e903.member[1] >> bitcast<u32>(_e915)) & 1023u);
-                                                let _e983 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e977) * _e923)) ^ _e113)));
-                                                let _e987 = select(select(_e514.member.member_1[0], _e983, (_e983 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e977 == 1023u));
-                                                let _e990 = ((_e903.member[1] >> bitcast<u32>(_e935)) & 1023u);
-                                                let _e996 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e990) * _e943)) ^ _e113)));
-                                                let _e1000 = select(select(_e514.member.member_1[1], _e996, (_e996 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e990 == 1023u));
-                                                let _e1003 = ((_e903.member[1] >> bitcast<u32>(_e955)) & 1023u);
-                                                let _e1009 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1003) * _e963)) ^ _e113)));
-                                                let _e1013 = select(select(_e514.member.member_1[2], _e1009, (_e1009 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e1003 == 1023u));
-                                                let _e1017 = ((_e903.member[2] >> bitcast<u32>(_e915)) & 1023u);
-                                                let _e1023 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1017) * _e923)) ^ _e113)));
-                                                let _e1027 = select(select(_e514.member.member_1[0], _e1023, (_e1023 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e1017 == 1023u));
-                                                let _e1030 = ((_e903.member[2] >> bitcast<u32>(_e935)) & 1023u);
-                                                let _e1036 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1030) * _e943)) ^ _e113)));
-                                                let _e1040 = select(select(_e514.member.member_1[1], _e1036, (_e1036 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e1030 == 1023u));
-                                                let _e1043 = ((_e903.member[2] >> bitcast<u32>(_e955)) & 1023u);
-                                                let _e1049 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1043) * _e963)) ^ _e113)));
-                                                let _e1053 = select(select(_e514.member.member_1[2], _e1049, (_e1049 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e1043 == 1023u));
-                                                let _e1057 = (_e973 - _e367);
-                                                let _e1060 = (((_e933 - _e290) * _e391) - (_e1057 * _e315));
-                                                let _e1063 = (((_e953 - _e329) * _e391) - (_e1057 * _e353));
-                                                let _e1066 = (_e1013 - _e367);
-                                                let _e1069 = (((_e987 - _e290) * _e391) - (_e1066 * _e315));
-                                                let _e1072 = (((_e1000 - _e329) * _e391) - (_e1066 * _e353));
-                                                let _e1075 = (_e1053 - _e367);
-                                                let _e1078 = (((_e1027 - _e290) * _e391) - (_e1075 * _e315));
-                                                let _e1081 = (((_e1040 - _e329) * _e391) - (_e1075 * _e353));
-                                                let _e1082 = (_e1078 * _e1072);
-                                                let _e1083 = (_e1081 * _e1069);
-                                                let _e1084 = (_e1060 * _e1081);
-                                                let _e1085 = (_e1063 * _e1078);
-                                                let _e1086 = (_e1069 * _e1063);
-                                                let _e1087 = (_e1072 * _e1060);
-                                                let _e1092 = (((_e1082 >= _e1083) && (_e1084 >= _e1085)) && (_e1086 >= _e1087));
-                                                if (_e1092 || (((_e1082 <= _e1083) && (_e1084 <= _e1085)) && (_e1086 <= _e1087))) {
-                                                    let _e1099 = select(-1f, 1f, _e1092);
-                                                    let _e1101 = ((_e1082 - _e1083) * _e1099);
-                                                    let _e1103 = select(0f, _e1101, (_e1101 > 0f));
-                                                    let _e1105 = ((_e1084 - _e1085) * _e1099);
-                                                    let _e1107 = select(0f, _e1105, (_e1105 > 0f));
-                                                    let _e1109 = ((_e1086 - _e1087) * _e1099);
-                                                    let _e1111 = select(0f, _e1109, (_e1109 > 0f));
-                                                    let _e1113 = ((_e1103 + _e1107) + _e1111);
-                                                    if (_e1113 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2028_ = type_21();
-                                                        phi_2029_ = true;
-                                                        phi_2030_ = false;
+                                                let _e1086 = phi_1190_;
+                                                let _e1098 = ((10u * _e245) & 31u);
+                                                let _e1101 = ((_e1086.member[0] >> bitcast<u32>(_e1098)) & 1023u);
+                                                let _e1109 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[0] - _e673.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                                let _e1114 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1101)) - 8388608f) * _e1109)) ^ _e117)));
+                                                let _e1118 = select(select(_e673.member.member_1[0], _e1114, (_e1114 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1101 == 1023u));
+                                                let _e1120 = ((10u * _e244) & 31u);
+                                                let _e1123 = ((_e1086.member[0] >> bitcast<u32>(_e1120)) & 1023u);
+                                                let _e1131 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[1] - _e673.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                                let _e1136 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1123)) - 8388608f) * _e1131)) ^ _e117)));
+                                                let _e1140 = select(select(_e673.member.member_1[1], _e1136, (_e1136 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1123 == 1023u));
+                                                let _e1142 = ((10u * _e246) & 31u);
+                                                let _e1145 = ((_e1086.member[0] >> bitcast<u32>(_e1142)) & 1023u);
+                                                let _e1153 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[2] - _e673.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                                let _e1158 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1145)) - 8388608f) * _e1153)) ^ _e117)));
+                                                let _e1162 = select(select(_e673.member.member_1[2], _e1158, (_e1158 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1145 == 1023u));
+                                                let _e1166 = ((_e1086.member[1] >> bitcast<u32>(_e1098)) & 1023u);
+                                                let _e1174 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1166)) - 8388608f) * _e1109)) ^ _e117)));
+                                                let _e1178 = select(select(_e673.member.member_1[0], _e1174, (_e1174 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1166 == 1023u));
+                                                let _e1181 = ((_e1086.member[1] >> bitcast<u32>(_e1120)) & 1023u);
+                                                let _e1189 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1181)) - 8388608f) * _e1131)) ^ _e117)));
+                                                let _e1193 = select(select(_e673.member.member_1[1], _e1189, (_e1189 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1181 == 1023u));
+                                                let _e1196 = ((_e1086.member[1] >> bitcast<u32>(_e1142)) & 1023u);
+                                                let _e1204 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1196)) - 8388608f) * _e1153)) ^ _e117)));
+                                                let _e1208 = select(select(_e673.member.member_1[2], _e1204, (_e1204 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1196 == 1023u));
+                                                let _e1212 = ((_e1086.member[2] >> bitcast<u32>(_e1098)) & 1023u);
+                                                let _e1220 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1212)) - 8388608f) * _e1109)) ^ _e117)));
+                                                let _e1224 = select(select(_e673.member.member_1[0], _e1220, (_e1220 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1212 == 1023u));
+                                                let _e1227 = ((_e1086.member[2] >> bitcast<u32>(_e1120)) & 1023u);
+                                                let _e1235 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1227)) - 8388608f) * _e1131)) ^ _e117)));
+                                                let _e1239 = select(select(_e673.member.member_1[1], _e1235, (_e1235 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1227 == 1023u));
+                                                let _e1242 = ((_e1086.member[2] >> bitcast<u32>(_e1142)) & 1023u);
+                                                let _e1250 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1242)) - 8388608f) * _e1153)) ^ _e117)));
+                                                let _e1254 = select(select(_e673.member.member_1[2], _e1250, (_e1250 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1242 == 1023u));
+                                                let _e1258 = (_e1162 - _e446);
+                                                let _e1261 = (((_e1118 - _e309) * _e485) - (_e1258 * _e349));
+                                                let _e1264 = (((_e1140 - _e378) * _e485) - (_e1258 * _e417));
+                                                let _e1267 = (_e1208 - _e446);
+                                                let _e1270 = (((_e1178 - _e309) * _e485) - (_e1267 * _e349));
+                                                let _e1273 = (((_e1193 - _e378) * _e485) - (_e1267 * _e417));
+                                                let _e1276 = (_e1254 - _e446);
+                                                let _e1279 = (((_e1224 - _e309) * _e485) - (_e1276 * _e349));
+                                                let _e1282 = (((_e1239 - _e378) * _e485) - (_e1276 * _e417));
+                                                let _e1283 = (_e1279 * _e1273);
+                                                let _e1284 = (_e1282 * _e1270);
+                                                let _e1285 = (_e1261 * _e1282);
+                                                let _e1286 = (_e1264 * _e1279);
+                                                let _e1287 = (_e1270 * _e1264);
+                                                let _e1288 = (_e1273 * _e1261);
+                                                let _e1293 = (((_e1283 >= _e1284) && (_e1285 >= _e1286)) && (_e1287 >= _e1288));
+                                                if (_e1293 || (((_e1283 <= _e1284) && (_e1285 <= _e1286)) && (_e1287 <= _e1288))) {
+                                                    let _e1300 = select(-1f, 1f, _e1293);
+                                                    let _e1302 = ((_e1283 - _e1284) * _e1300);
+                                                    let _e1304 = select(0f, _e1302, (_e1302 > 0f));
+                                                    let _e1306 = ((_e1285 - _e1286) * _e1300);
+                                                    let _e1308 = select(0f, _e1306, (_e1306 > 0f));
+                                                    let _e1310 = ((_e1287 - _e1288) * _e1300);
+                                                    let _e1312 = select(0f, _e1310, (_e1310 > 0f));
+                                                    let _e1314 = ((_e1304 + _e1308) + _e1312);
+                                                    if (_e1314 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2268_ = type_21();
+                                                        phi_2269_ = true;
+                                                        phi_2270_ = false;
                                                     } else {
-                                                        let _e1116 = select(_e1069, _e1060, (_e1060 < _e1069));
-                                                        if (select(_e1078, _e1116, (_e1116 < _e1078)) > 0f) {
-                                                            phi_1344_ = true;
+                                                        let _e1317 = select(_e1270, _e1261, (_e1261 < _e1270));
+                                                        if (select(_e1279, _e1317, (_e1317 < _e1279)) > 0f) {
+                                                            phi_1584_ = true;
                                                         } else {
-                                                            let _e1121 = select(_e1069, _e1060, (_e1060 > _e1069));
-                                                            phi_1344_ = (select(_e1078, _e1121, (_e1121 > _e1078)) < 0f);
+                                                            let _e1322 = select(_e1270, _e1261, (_e1261 > _e1270));
+                                                            phi_1584_ = (select(_e1279, _e1322, (_e1322 > _e1279)) < 0f);
                                                         }
-                                                        let _e1126 = phi_1344_;
-                                                        if _e1126 {
-                                                            phi_2025_ = type_21();
-                                                            phi_2026_ = true;
-                                                            phi_2027_ = false;
+                                                        let _e1327 = phi_1584_;
+                                                        if _e1327 {
+                                                            phi_2265_ = type_21();
+                                                            phi_2266_ = true;
+                                                            phi_2267_ = false;
                                                         } else {
-                                                            let _e1128 = select(_e1072, _e1063, (_e1063 < _e1072));
-                                                            if (select(_e1081, _e1128, (_e1128 < _e1081)) > 0f) {
-                                                                phi_1373_ = true;
+                                                            let _e1329 = select(_e1273, _e1264, (_e1264 < _e1273));
+                                                            if (select(_e1282, _e1329, (_e1329 < _e1282)) > 0f) {
+                                                                phi_1613_ = true;
                                                             } else {
-                                                                let _e1133 = select(_e1072, _e1063, (_e1063 > _e1072));
-                                                                phi_1373_ = (select(_e1081, _e1133, (_e1133 > _e1081)) < 0f);
+                                                                let _e1334 = select(_e1273, _e1264, (_e1264 > _e1273));
+                                                                phi_1613_ = (select(_e1282, _e1334, (_e1334 > _e1282)) < 0f);
                                                             }
-                                                            let _e1138 = phi_1373_;
-                                                            if _e1138 {
-                                                                phi_2023_ = type_21();
-                                                                phi_2024_ = false;
+                                                            let _e1339 = phi_1613_;
+                                                            if _e1339 {
+                                                                phi_2263_ = type_21();
+                                                                phi_2264_ = false;
                                                             } else {
-                                                                let _e1140 = select(_e987, _e933, (_e933 < _e987));
-                                                                let _e1144 = select(_e987, _e933, (_e933 > _e987));
-                                                                let _e1148 = select(_e1000, _e953, (_e953 < _e1000));
-                                                                let _e1152 = select(_e1000, _e953, (_e953 > _e1000));
-                                                                let _e1156 = select(_e1013, _e973, (_e973 < _e1013));
-                                                                let _e1160 = select(_e1013, _e973, (_e973 > _e1013));
-                                                                let _e1165 = ((select(_e1027, _e1140, (_e1140 < _e1027)) - _e313) * _e318);
-                                                                let _e1166 = ((select(_e1027, _e1144, (_e1144 > _e1027)) - _e314) * _e318);
-                                                                let _e1169 = ((select(_e1040, _e1148, (_e1148 < _e1040)) - _e351) * _e356);
-                                                                let _e1170 = ((select(_e1040, _e1152, (_e1152 > _e1040)) - _e352) * _e356);
-                                                                let _e1173 = ((select(_e1053, _e1156, (_e1156 < _e1053)) - _e389) * _e394);
-                                                                let _e1174 = ((select(_e1053, _e1160, (_e1160 > _e1053)) - _e390) * _e394);
-                                                                let _e1176 = select(_e1174, _e1173, (_e1173 < _e1174));
-                                                                let _e1178 = select(_e1174, _e1173, (_e1173 > _e1174));
-                                                                let _e1180 = select(_e1166, _e1165, (_e1165 < _e1166));
-                                                                let _e1182 = select(_e1170, _e1169, (_e1169 < _e1170));
-                                                                let _e1184 = select(_e1182, _e1180, (_e1180 > _e1182));
-                                                                let _e1186 = select(_e1176, _e1184, (_e1184 > _e1176));
-                                                                let _e1188 = select(_e1166, _e1165, (_e1165 > _e1166));
-                                                                let _e1190 = select(_e1170, _e1169, (_e1169 > _e1170));
-                                                                let _e1192 = select(_e1190, _e1188, (_e1188 < _e1190));
-                                                                let _e1194 = select(_e1178, _e1192, (_e1192 < _e1178));
-                                                                let _e1195 = -(_e1176);
-                                                                let _e1201 = select(_e441, _e1186, (_e1186 > _e441));
-                                                                if (_e1201 > (_e1194 + (select(_e1195, _e1178, (_e1178 > _e1195)) * 0.0000019073523f))) {
-                                                                    phi_2018_ = type_21();
-                                                                    phi_2019_ = true;
+                                                                let _e1341 = select(_e1178, _e1118, (_e1118 < _e1178));
+                                                                let _e1345 = select(_e1178, _e1118, (_e1118 > _e1178));
+                                                                let _e1349 = select(_e1193, _e1140, (_e1140 < _e1193));
+                                                                let _e1353 = select(_e1193, _e1140, (_e1140 > _e1193));
+                                                                let _e1357 = select(_e1208, _e1162, (_e1162 < _e1208));
+                                                                let _e1361 = select(_e1208, _e1162, (_e1162 > _e1208));
+                                                                let _e1366 = ((select(_e1224, _e1341, (_e1341 < _e1224)) - _e347) * _e352);
+                                                                let _e1367 = ((select(_e1224, _e1345, (_e1345 > _e1224)) - _e348) * _e352);
+                                                                let _e1370 = ((select(_e1239, _e1349, (_e1349 < _e1239)) - _e415) * _e420);
+                                                                let _e1371 = ((select(_e1239, _e1353, (_e1353 > _e1239)) - _e416) * _e420);
+                                                                let _e1374 = ((select(_e1254, _e1357, (_e1357 < _e1254)) - _e483) * _e488);
+                                                                let _e1375 = ((select(_e1254, _e1361, (_e1361 > _e1254)) - _e484) * _e488);
+                                                                let _e1377 = select(_e1375, _e1374, (_e1374 < _e1375));
+                                                                let _e1379 = select(_e1375, _e1374, (_e1374 > _e1375));
+                                                                let _e1381 = select(_e1367, _e1366, (_e1366 < _e1367));
+                                                                let _e1383 = select(_e1371, _e1370, (_e1370 < _e1371));
+                                                                let _e1385 = select(_e1383, _e1381, (_e1381 > _e1383));
+                                                                let _e1387 = select(_e1377, _e1385, (_e1385 > _e1377));
+                                                                let _e1389 = select(_e1367, _e1366, (_e1366 > _e1367));
+                                                                let _e1391 = select(_e1371, _e1370, (_e1370 > _e1371));
+                                                                let _e1393 = select(_e1391, _e1389, (_e1389 < _e1391));
+                                                                let _e1395 = select(_e1379, _e1393, (_e1393 < _e1379));
+                                                                let _e1396 = -(_e1377);
+                                                                let _e1402 = select(_e600, _e1387, (_e1387 > _e600));
+                                                                if (_e1402 > (_e1395 + (select(_e1396, _e1379, (_e1379 > _e1396)) * 0.0000019073523f))) {
+                                                                    phi_2258_ = type_21();
+                                                                    phi_2259_ = true;
                                                                 } else {
-                                                                    let _e1203 = (_e1201 > _e871.member);
-                                                                    if _e1203 {
-                                                                        phi_2017_ = type_21();
+                                                                    let _e1404 = (_e1402 > _e1054.member);
+                                                                    if _e1404 {
+                                                                        phi_2257_ = type_21();
                                                                     } else {
-                                                                        let _e1204 = vec3<f32>(_e933, _e953, _e973);
-                                                                        let _e1205 = vec3<f32>(_e987, _e1000, _e1013);
-                                                                        let _e1206 = vec3<f32>(_e1027, _e1040, _e1053);
-                                                                        let _e1207 = (_e987 - _e933);
-                                                                        let _e1208 = (_e1000 - _e953);
-                                                                        let _e1209 = (_e1013 - _e973);
-                                                                        let _e1210 = vec3<f32>(_e1207, _e1208, _e1209);
-                                                                        let _e1211 = (_e1027 - _e987);
-                                                                        let _e1212 = (_e1040 - _e1000);
-                                                                        let _e1213 = (_e1053 - _e1013);
-                                                                        let _e1214 = vec3<f32>(_e1211, _e1212, _e1213);
-                                                                        let _e1215 = (_e933 - _e1027);
-                                                                        let _e1216 = (_e953 - _e1040);
-                                                                        let _e1217 = (_e973 - _e1053);
-                                                                        let _e1218 = vec3<f32>(_e1215, _e1216, _e1217);
-                                                                        let _e1221 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
-                                                                        let _e1224 = bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u));
-                                                                        let _e1226 = select(_e1224, _e1221, (_e1221 > _e1224));
-                                                                        let _e1229 = bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u));
-                                                                        let _e1231 = select(_e1229, _e1226, (_e1226 > _e1229));
-                                                                        let _e1234 = bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u));
-                                                                        let _e1237 = bitcast<f32>((bitcast<u32>(_e1212) & 2147483647u));
-                                                                        let _e1239 = select(_e1237, _e1234, (_e1234 > _e1237));
-                                                                        let _e1242 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
-                                                                        let _e1244 = select(_e1242, _e1239, (_e1239 > _e1242));
-                                                                        let _e1247 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
-                                                                        let _e1250 = bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u));
-                                                                        let _e1252 = select(_e1250, _e1247, (_e1247 > _e1250));
-                                                                        let _e1255 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
-                                                                        let _e1257 = select(_e1255, _e1252, (_e1252 > _e1255));
-                                                                        let _e1259 = select(_e1244, _e1231, (_e1231 > _e1244));
-                                                                        let _e1261 = select(_e1257, _e1259, (_e1259 > _e1257));
-                                                                        if (_e1231 == _e1261) {
-                                                                            phi_1750_ = _e1072;
-                                                                            phi_1751_ = _e1069;
-                                                                            phi_1752_ = _e1063;
-                                                                            phi_1753_ = _e1060;
-                                                                            phi_1754_ = _e1204;
-                                                                            phi_1755_ = _e1218;
-                                                                            phi_1756_ = _e1214;
-                                                                            phi_1757_ = _e1210;
+                                                                        let _e1405 = vec3<f32>(_e1118, _e1140, _e1162);
+                                                                        let _e1406 = vec3<f32>(_e1178, _e1193, _e1208);
+                                                                        let _e1407 = vec3<f32>(_e1224, _e1239, _e1254);
+                                                                        let _e1408 = (_e1178 - _e1118);
+                                                                        let _e1409 = (_e1193 - _e1140);
+                                                                        let _e1410 = (_e1208 - _e1162);
+                                                                        let _e1411 = vec3<f32>(_e1408, _e1409, _e1410);
+                                                                        let _e1412 = (_e1224 - _e1178);
+                                                                        let _e1413 = (_e1239 - _e1193);
+                                                                        let _e1414 = (_e1254 - _e1208);
+                                                                        let _e1415 = vec3<f32>(_e1412, _e1413, _e1414);
+                                                                        let _e1416 = (_e1118 - _e1224);
+                                                                        let _e1417 = (_e1140 - _e1239);
+                                                                        let _e1418 = (_e1162 - _e1254);
+                                                                        let _e1419 = vec3<f32>(_e1416, _e1417, _e1418);
+                                                                        let _e1422 = bitcast<f32>((bitcast<u32>(_e1408) & 2147483647u));
+                                                                        let _e1425 = bitcast<f32>((bitcast<u32>(_e1409) & 2147483647u));
+                                                                        let _e1427 = select(_e1425, _e1422, (_e1422 > _e1425));
+                                                                        let _e1430 = bitcast<f32>((bitcast<u32>(_e1410) & 2147483647u));
+                                                                        let _e1432 = select(_e1430, _e1427, (_e1427 > _e1430));
+                                                                        let _e1435 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
+                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u));
+                                                                        let _e1440 = select(_e1438, _e1435, (_e1435 > _e1438));
+                                                                        let _e1443 = bitcast<f32>((bitcast<u32>(_e1414) & 2147483647u));
+                                                                        let _e1445 = select(_e1443, _e1440, (_e1440 > _e1443));
+                                                                        let _e1448 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
+                                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
+                                                                        let _e1453 = select(_e1451, _e1448, (_e1448 > _e1451));
+                                                                        let _e1456 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
+                                                                        let _e1458 = select(_e1456, _e1453, (_e1453 > _e1456));
+                                                                        let _e1460 = select(_e1445, _e1432, (_e1432 > _e1445));
+                                                                        let _e1462 = select(_e1458, _e1460, (_e1460 > _e1458));
+                                                                        if (_e1432 == _e1462) {
+                                                                            phi_1990_ = _e1273;
+                                                                            phi_1991_ = _e1270;
+                                                                            phi_1992_ = _e1264;
+                                                                            phi_1993_ = _e1261;
+                                                                            phi_1994_ = _e1405;
+                                                                            phi_1995_ = _e1419;
+                                                                            phi_1996_ = _e1415;
+                                                                            phi_1997_ = _e1411;
                                                                         } else {
-                                                                            let _e1263 = (_e1244 == _e1261);
-                                                                            let _e1268 = vec3(_e1263);
-                                                                            phi_1750_ = select(_e1063, _e1081, _e1263);
-                                                                            phi_1751_ = select(_e1060, _e1078, _e1263);
-                                                                            phi_1752_ = select(_e1081, _e1072, _e1263);
-                                                                            phi_1753_ = select(_e1078, _e1069, _e1263);
-                                                                            phi_1754_ = select(_e1206, _e1205, _e1268);
-                                                                            phi_1755_ = select(_e1214, _e1210, _e1268);
-                                                                            phi_1756_ = select(_e1210, _e1218, _e1268);
-                                                                            phi_1757_ = select(_e1218, _e1214, _e1268);
+                                                                            let _e1464 = (_e1445 == _e1462);
+                                                                            let _e1469 = vec3(_e1464);
+                                                                            phi_1990_ = select(_e1264, _e1282, _e1464);
+                                                                            phi_1991_ = select(_e1261, _e1279, _e1464);
+                                                                            phi_1992_ = select(_e1282, _e1273, _e1464);
+                                                                            phi_1993_ = select(_e1279, _e1270, _e1464);
+                                                                            phi_1994_ = select(_e1407, _e1406, _e1469);
+                                                                            phi_1995_ = select(_e1415, _e1411, _e1469);
+                                                                            phi_1996_ = select(_e1411, _e1419, _e1469);
+                                                                            phi_1997_ = select(_e1419, _e1415, _e1469);
                                                                         }
-                                                                        let _e1274 = phi_1750_;
-                                                                        let _e1276 = phi_1751_;
-                                                                        let _e1278 = phi_1752_;
-                                                                        let _e1280 = phi_1753_;
-                                                                        let _e1282 = phi_1754_;
-                                                                        let _e1284 = phi_1755_;
-                                                                        let _e1286 = phi_1756_;
-                                                                        let _e1288 = phi_1757_;
-                                                                        let _e1295 = ((_e1286.y * _e1284.z) - (_e1284.y * _e1286.z));
-                                                                        let _e1300 = ((_e1286.z * _e1284.x) - (_e1284.z * _e1286.x));
-                                                                        let _e1303 = ((_e1286.x * _e1284.y) - (_e1284.x * _e1286.y));
-                                                                        if (_e1103 >= _e1107) {
-                                                                            phi_1788_ = select(true, false, (_e1103 >= _e1111));
+                                                                        let _e1475 = phi_1990_;
+                                                                        let _e1477 = phi_1991_;
+                                                                        let _e1479 = phi_1992_;
+                                                                        let _e1481 = phi_1993_;
+                                                                        let _e1483 = phi_1994_;
+                                                                        let _e1485 = phi_1995_;
+                                                                        let _e1487 = phi_1996_;
+                                                                        let _e1489 = phi_1997_;
+                                                                        let _e1496 = ((_e1487.y * _e1485.z) - (_e1485.y * _e1487.z));
+                                                                        let _e1501 = ((_e1487.z * _e1485.x) - (_e1485.z * _e1487.x));
+                                                                        let _e1504 = ((_e1487.x * _e1485.y) - (_e1485.x * _e1487.y));
+                                                                        if (_e1304 >= _e1308) {
+                                                                            phi_2028_ = select(true, false, (_e1304 >= _e1312));
                                                                         } else {
-                                                                            phi_1788_ = true;
+                                                                            phi_2028_ = true;
                                                                         }
-                                                                        let _e1308 = phi_1788_;
-                                                                        if _e1308 {
-                                                                            phi_1797_ = select(_e1206, _e1205, vec3((_e1107 >= _e1111)));
+                                                                        let _e1509 = phi_2028_;
+                                                                        if _e1509 {
+                                                                            phi_2037_ = select(_e1407, _e1406, vec3((_e1308 >= _e1312)));
                                                                         } else {
-                                                                            phi_1797_ = _e1204;
+                                                                            phi_2037_ = _e1405;
                                                                         }
-                                                                        let _e1313 = phi_1797_;
-                                                                        let _e1324 = (((_e1295 * (_e1313.x - _e290)) + (_e1300 * (_e1313.y - _e329))) + (_e1303 * (_e1313.z - _e367)));
-                                                                        let _e1329 = (((_e1295 * _e315) + (_e1300 * _e353)) + (_e1303 * _e391));
-                                                                        let _e1330 = (_e1276 - _e1280);
-                                                                        let _e1331 = (_e1274 - _e1278);
-                                                                        let _e1339 = (-(((_e1280 * _e1330) + (_e1278 * _e1331))) / ((_e1330 * _e1330) + (_e1331 * _e1331)));
-                                                                        let _e1341 = select(1f, _e1339, (_e1339 < 1f));
-                                                                        let _e1343 = select(0f, _e1341, (_e1341 > 0f));
-                                                                        let _e1356 = ((_e1282.x + (_e1288.x * _e1343)) - _e290);
-                                                                        let _e1357 = ((_e1282.y + (_e1288.y * _e1343)) - _e329);
-                                                                        let _e1358 = ((_e1282.z + (_e1288.z * _e1343)) - _e367);
-                                                                        let _e1359 = (_e1358 / _e391);
-                                                                        let _e1371 = bitcast<f32>((bitcast<u32>(_e1356) & 2147483647u));
-                                                                        let _e1374 = bitcast<f32>((bitcast<u32>(_e1357) & 2147483647u));
-                                                                        let _e1376 = select(_e1374, _e1371, (_e1371 > _e1374));
-                                                                        let _e1379 = bitcast<f32>((bitcast<u32>(_e1358) & 2147483647u));
-                                                                        let _e1381 = select(_e1379, _e1376, (_e1376 > _e1379));
-                                                                        let _e1387 = bitcast<f32>((bitcast<u32>(_e1295) & 2147483647u));
-                                                                        let _e1390 = bitcast<f32>((bitcast<u32>(_e1300) & 2147483647u));
-                                                                        let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
-                                                                        let _e1395 = bitcast<f32>((bitcast<u32>(_e1303) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1295 * _e1356) + (_e1300 * _e1357)) + (_e1303 * _e1358)) - _e1324)) & 2147483647u)) <= ((0.0000009536743f * select(_e1261, _e1381, (_e1381 > _e1261))) * select(_e1395, _e1392, (_e1392 > _e1395)))) {
-                                                                            let _e1405 = bitcast<f32>((bitcast<u32>(_e1286.x) & 2147483647u));
-                                                                            let _e1408 = bitcast<f32>((bitcast<u32>(_e1286.y) & 2147483647u));
-                                                                            let _e1410 = select(_e1408, _e1405, (_e1405 > _e1408));
-                                                                            let _e1413 = bitcast<f32>((bitcast<u32>(_e1286.z) & 2147483647u));
-                                                                            let _e1419 = bitcast<f32>((bitcast<u32>(_e1284.x) & 2147483647u));
-                                                                            let _e1422 = bitcast<f32>((bitcast<u32>(_e1284.y) & 2147483647u));
-                                                                            let _e1424 = select(_e1422, _e1419, (_e1419 > _e1422));
-                                                                            let _e1427 = bitcast<f32>((bitcast<u32>(_e1284.z) & 2147483647u));
-                                                                            let _e1431 = (bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u)) > ((0.0000038146973f * select(_e1413, _e1410, (_e1410 > _e1413))) * select(_e1427, _e1424, (_e1424 > _e1427))));
-                                                                            if _e1431 {
-                                                                                phi_1962_ = (_e1324 / _e1329);
+                                                                        let _e1514 = phi_2037_;
+                                                                        let _e1525 = (((_e1496 * (_e1514.x - _e309)) + (_e1501 * (_e1514.y - _e378))) + (_e1504 * (_e1514.z - _e446)));
+                                                                        let _e1530 = (((_e1496 * _e349) + (_e1501 * _e417)) + (_e1504 * _e485));
+                                                                        let _e1531 = (_e1477 - _e1481);
+                                                                        let _e1532 = (_e1475 - _e1479);
+                                                                        let _e1540 = (-(((_e1481 * _e1531) + (_e1479 * _e1532))) / ((_e1531 * _e1531) + (_e1532 * _e1532)));
+                                                                        let _e1542 = select(1f, _e1540, (_e1540 < 1f));
+                                                                        let _e1544 = select(0f, _e1542, (_e1542 > 0f));
+                                                                        let _e1557 = ((_e1483.x + (_e1489.x * _e1544)) - _e309);
+                                                                        let _e1558 = ((_e1483.y + (_e1489.y * _e1544)) - _e378);
+                                                                        let _e1559 = ((_e1483.z + (_e1489.z * _e1544)) - _e446);
+                                                                        let _e1560 = (_e1559 / _e485);
+                                                                        let _e1572 = bitcast<f32>((bitcast<u32>(_e1557) & 2147483647u));
+                                                                        let _e1575 = bitcast<f32>((bitcast<u32>(_e1558) & 2147483647u));
+                                                                        let _e1577 = select(_e1575, _e1572, (_e1572 > _e1575));
+                                                                        let _e1580 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
+                                                                        let _e1582 = select(_e1580, _e1577, (_e1577 > _e1580));
+                                                                        let _e1588 = bitcast<f32>((bitcast<u32>(_e1496) & 2147483647u));
+                                                                        let _e1591 = bitcast<f32>((bitcast<u32>(_e1501) & 2147483647u));
+                                                                        let _e1593 = select(_e1591, _e1588, (_e1588 > _e1591));
+                                                                        let _e1596 = bitcast<f32>((bitcast<u32>(_e1504) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1496 * _e1557) + (_e1501 * _e1558)) + (_e1504 * _e1559)) - _e1525)) & 2147483647u)) <= ((0.0000009536743f * select(_e1462, _e1582, (_e1582 > _e1462))) * select(_e1596, _e1593, (_e1593 > _e1596)))) {
+                                                                            let _e1606 = bitcast<f32>((bitcast<u32>(_e1487.x) & 2147483647u));
+                                                                            let _e1609 = bitcast<f32>((bitcast<u32>(_e1487.y) & 2147483647u));
+                                                                            let _e1611 = select(_e1609, _e1606, (_e1606 > _e1609));
+                                                                            let _e1614 = bitcast<f32>((bitcast<u32>(_e1487.z) & 2147483647u));
+                                                                            let _e1620 = bitcast<f32>((bitcast<u32>(_e1485.x) & 2147483647u));
+                                                                            let _e1623 = bitcast<f32>((bitcast<u32>(_e1485.y) & 2147483647u));
+                                                                            let _e1625 = select(_e1623, _e1620, (_e1620 > _e1623));
+                                                                            let _e1628 = bitcast<f32>((bitcast<u32>(_e1485.z) & 2147483647u));
+                                                                            let _e1632 = (bitcast<f32>((bitcast<u32>(_e1530) & 2147483647u)) > ((0.0000038146973f * select(_e1614, _e1611, (_e1611 > _e1614))) * select(_e1628, _e1625, (_e1625 > _e1628))));
+                                                                            if _e1632 {
+                                                                                phi_2202_ = (_e1525 / _e1530);
                                                                             } else {
-                                                                                phi_1962_ = f32();
+                                                                                phi_2202_ = f32();
                                                                             }
-                                                                            let _e1434 = phi_1962_;
-                                                                            phi_1964_ = _e1434;
-                                                                            phi_1965_ = select(true, false, _e1431);
+                                                                            let _e1635 = phi_2202_;
+                                                                            phi_2204_ = _e1635;
+                                                                            phi_2205_ = select(true, false, _e1632);
                                                                         } else {
-                                                                            phi_1964_ = f32();
-                                                                            phi_1965_ = true;
+                                                                            phi_2204_ = f32();
+                                                                            phi_2205_ = true;
                                                                         }
-                                                                        let _e1437 = phi_1964_;
-                                                                        let _e1439 = phi_1965_;
-                                                                        if _e1439 {
-                                                                            let _e1447 = (((_e1295 * (_e1356 - (_e315 * _e1359))) + (_e1300 * (_e1357 - (_e353 * _e1359)))) / _e1329);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u)) <= _e1261) {
-                                                                                phi_1985_ = (_e1359 + _e1447);
+                                                                        let _e1638 = phi_2204_;
+                                                                        let _e1640 = phi_2205_;
+                                                                        if _e1640 {
+                                                                            let _e1648 = (((_e1496 * (_e1557 - (_e349 * _e1560))) + (_e1501 * (_e1558 - (_e417 * _e1560)))) / _e1530);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1648) & 2147483647u)) <= _e1462) {
+                                                                                phi_2225_ = (_e1560 + _e1648);
                                                                             } else {
-                                                                                phi_1985_ = _e1359;
+                                                                                phi_2225_ = _e1560;
                                                                             }
-                                                                            let _e1454 = phi_1985_;
-                                                                            phi_1986_ = _e1454;
+                                                                            let _e1655 = phi_2225_;
+                                                                            phi_2226_ = _e1655;
                                                                         } else {
-                                                                            phi_1986_ = _e1437;
+                                                                            phi_2226_ = _e1638;
                                                                         }
-                                                                        let _e1456 = phi_1986_;
-                                                                        let _e1458 = select(_e1194, _e1456, (_e1456 < _e1194));
-                                                                        let _e1460 = select(_e1186, _e1458, (_e1458 > _e1186));
-                                                                        if (_e1460 >= _e441) {
-                                                                            let _e1462 = (_e1460 <= _e871.member);
-                                                                            if _e1462 {
-                                                                                let _e1463 = (1f / _e1113);
-                                                                                phi_2009_ = type_21(_e1460, (_e1107 * _e1463), (_e1111 * _e1463), _e899);
+                                                                        let _e1657 = phi_2226_;
+                                                                        let _e1659 = select(_e1395, _e1657, (_e1657 < _e1395));
+                                                                        let _e1661 = select(_e1387, _e1659, (_e1659 > _e1387));
+                                                                        if (_e1661 >= _e600) {
+                                                                            let _e1663 = (_e1661 <= _e1054.member);
+                                                                            if _e1663 {
+                                                                                let _e1664 = (1f / _e1314);
+                                                                                phi_2249_ = type_21(_e1661, (_e1308 * _e1664), (_e1312 * _e1664), _e1082);
                                                                             } else {
-                                                                                phi_2009_ = type_21();
+                                                                                phi_2249_ = type_21();
                                                                             }
-                                                                            let _e1468 = phi_2009_;
-                                                                            phi_2011_ = _e1468;
-                                                                            phi_2012_ = select(true, false, _e1462);
+                                                                            let _e1669 = phi_2249_;
+                                                                            phi_2251_ = _e1669;
+                                                                            phi_2252_ = select(true, false, _e1663);
                                                                         } else {
-                                                                            phi_2011_ = type_21();
-                                                                            phi_2012_ = true;
+                                                                            phi_2251_ = type_21();
+                                                                            phi_2252_ = true;
                                                                         }
-                                                                        let _e1471 = phi_2011_;
-                                                                        let _e1473 = phi_2012_;
-                                                                        if _e1473 {
-                                                                            phi_2016_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1672 = phi_2251_;
+                                                                        let _e1674 = phi_2252_;
+                                                                        if _e1674 {
+                                                                            phi_2256_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2016_ = _e1471;
+                                                                            phi_2256_ = _e1672;
                                                                         }
-                                                                        let _e1475 = phi_2016_;
-                                                                        phi_2017_ = _e1475;
+                                                                        let _e1676 = phi_2256_;
+                                                                        phi_2257_ = _e1676;
                                                                     }
-                                                                    let _e1477 = phi_2017_;
-                                                                    phi_2018_ = _e1477;
-                                                                    phi_2019_ = _e1203;
+                                                                    let _e1678 = phi_2257_;
+                                                                    phi_2258_ = _e1678;
+                                                                    phi_2259_ = _e1404;
                                                                 }
-                                                                let _e1479 = phi_2018_;
-                                                                let _e1481 = phi_2019_;
-                                                                phi_2023_ = _e1479;
-                                                                phi_2024_ = _e1481;
+                                                                let _e1680 = phi_2258_;
+                                                                let _e1682 = phi_2259_;
+                                                                phi_2263_ = _e1680;
+                                                                phi_2264_ = _e1682;
                                                             }
-                                                            let _e1483 = phi_2023_;
-                                                            let _e1485 = phi_2024_;
-                                                            phi_2025_ = _e1483;
-                                                            phi_2026_ = _e1138;
-                                                            phi_2027_ = _e1485;
+                                                            let _e1684 = phi_2263_;
+                                                            let _e1686 = phi_2264_;
+                                                            phi_2265_ = _e1684;
+                                                            phi_2266_ = _e1339;
+                                                            phi_2267_ = _e1686;
                                                         }
-                                                        let _e1487 = phi_2025_;
-                                                        let _e1489 = phi_2026_;
-                                                        let _e1491 = phi_2027_;
-                                                        phi_2028_ = _e1487;
-                                                        phi_2029_ = _e1489;
-                                                        phi_2030_ = _e1491;
+                                                        let _e1688 = phi_2265_;
+                                                        let _e1690 = phi_2266_;
+                                                        let _e1692 = phi_2267_;
+                                                        phi_2268_ = _e1688;
+                                                        phi_2269_ = _e1690;
+                                                        phi_2270_ = _e1692;
                                                     }
-                                                    let _e1493 = phi_2028_;
-                                                    let _e1495 = phi_2029_;
-                                                    let _e1497 = phi_2030_;
-                                                    phi_2038_ = _e1493;
-                                                    phi_2039_ = select(_e1497, true, _e1495);
+                                                    let _e1694 = phi_2268_;
+                                                    let _e1696 = phi_2269_;
+                                                    let _e1698 = phi_2270_;
+                                                    phi_2278_ = _e1694;
+                                                    phi_2279_ = select(_e1698, true, _e1696);
                                                 } else {
-                                                    phi_2038_ = type_21();
-                                                    phi_2039_ = true;
+                                                    phi_2278_ = type_21();
+                                                    phi_2279_ = true;
                                                 }
-                                                let _e1500 = phi_2038_;
-                                                let _e1502 = phi_2039_;
-                                                if _e1502 {
-                                                    phi_2043_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1701 = phi_2278_;
+                                                let _e1703 = phi_2279_;
+                                                if _e1703 {
+                                                    phi_2283_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2043_ = _e1500;
+                                                    phi_2283_ = _e1701;
                                                 }
-                                                let _e1504 = phi_2043_;
-                                                if (_e1504.member_3 != 4294967295u) {
-                                                    if (_e899 != 4294967295u) {
-                                                        phi_2054_ = type_32(_e871.member, true);
+                                                let _e1705 = phi_2283_;
+                                                if (_e1705.member_3 != 4294967295u) {
+                                                    if (_e1082 != 4294967295u) {
+                                                        phi_2294_ = type_32(_e1054.member, true);
                                                     } else {
-                                                        phi_2054_ = _e871;
+                                                        phi_2294_ = _e1054;
                                                     }
-                                                    let _e1512 = phi_2054_;
-                                                    phi_2055_ = _e1512;
+                                                    let _e1713 = phi_2294_;
+                                                    phi_2295_ = _e1713;
                                                 } else {
-                                                    phi_2055_ = _e871;
+                                                    phi_2295_ = _e1054;
                                                 }
-                                                let _e1514 = phi_2055_;
-                                                phi_902_ = _e1514;
+                                                let _e1715 = phi_2295_;
+                                                phi_1124_ = _e1715;
                                             } else {
-                                                phi_902_ = type_32();
+                                                phi_1124_ = type_32();
                                             }
-                                            let _e1516 = phi_902_;
+                                            let _e1717 = phi_1124_;
                                             continue;
                                             continuing {
-                                                phi_901_ = _e1516;
-                                                phi_904_ = _e886;
-                                                phi_3071_ = _e473;
-                                                break if !(_e892);
+                                                phi_1123_ = _e1717;
+                                                phi_1126_ = _e1069;
+                                                phi_3335_ = _e632;
+                                                break if !(_e1075);
                                             }
                                         }
-                                        let _e1519 = phi_3071_;
-                                        phi_3228_ = _e1519;
-                                        if _e1519 {
+                                        let _e1720 = phi_3335_;
+                                        phi_3510_ = _e1720;
+                                        if _e1720 {
                                             break;
                                         }
-                                        let _e1521 = local_10;
-                                        phi_3232_ = _e1519;
-                                        let _e1680 = local_12;
-                                        phi_3005_ = _e1680;
-                                        phi_3006_ = _e514;
-                                        phi_3007_ = false;
-                                        phi_3008_ = select(_e518, 0u, _e1521.member_1);
+                                        let _e1722 = local_10;
+                                        phi_3514_ = _e1720;
+                                        let _e1887 = local_12;
+                                        phi_3269_ = _e1887;
+                                        phi_3270_ = _e673;
+                                        phi_3271_ = false;
+                                        phi_3272_ = select(_e677, 0u, _e1722.member_1);
                                     } else {
-                                        let _e528 = (_e514.member_1 < _e78);
-                                        if _e528 {
-                                            if _e528 {
+                                        let _e687 = (_e673.member_1 < _e82);
+                                        if _e687 {
+                                            if _e687 {
                                             } else {
-                                                phi_3228_ = true;
+                                                phi_3510_ = true;
                                                 break;
                                             }
-                                            let _e530 = global_5.member[_e514.member_1];
-                                            phi_2075_ = _e530;
+                                            let _e689 = global_5.member[_e673.member_1];
+                                            phi_2315_ = _e689;
                                         } else {
-                                            phi_2075_ = type_36(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2315_ = type_36(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e532 = phi_2075_;
-                                        let _e547 = ((10u * _e241) & 31u);
-                                        let _e550 = ((_e532.member[0] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e555 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[0] - _e514.member.member[0]) * 0.0009775171f)) ^ _e113));
-                                        let _e561 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e550) * _e555)) ^ _e113)));
-                                        let _e565 = select(select(_e514.member.member_1[0], _e561, (_e561 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e550 == 1023u));
-                                        let _e567 = ((10u * _e240) & 31u);
-                                        let _e570 = ((_e532.member[0] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e575 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[1] - _e514.member.member[1]) * 0.0009775171f)) ^ _e113));
-                                        let _e581 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e570) * _e575)) ^ _e113)));
-                                        let _e585 = select(select(_e514.member.member_1[1], _e581, (_e581 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e570 == 1023u));
-                                        let _e587 = ((10u * _e242) & 31u);
-                                        let _e590 = ((_e532.member[0] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e595 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[2] - _e514.member.member[2]) * 0.0009775171f)) ^ _e113));
-                                        let _e601 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e590) * _e595)) ^ _e113)));
-                                        let _e605 = select(select(_e514.member.member_1[2], _e601, (_e601 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e590 == 1023u));
-                                        let _e608 = ((_e532.member[1] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e614 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e608) * _e555)) ^ _e113)));
-                                        let _e618 = select(select(_e514.member.member_1[0], _e614, (_e614 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e608 == 1023u));
-                                        let _e621 = ((_e532.member[1] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e627 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e621) * _e575)) ^ _e113)));
-                                        let _e631 = select(select(_e514.member.member_1[1], _e627, (_e627 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e621 == 1023u));
-                                        let _e634 = ((_e532.member[1] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e640 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e634) * _e595)) ^ _e113)));
-                                        let _e644 = select(select(_e514.member.member_1[2], _e640, (_e640 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e634 == 1023u));
-                                        let _e650 = ((_e532.member_1[0] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e656 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e650) * _e555)) ^ _e113)));
-                                        let _e660 = select(select(_e514.member.member_1[0], _e656, (_e656 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e650 == 1023u));
-                                        let _e663 = ((_e532.member_1[0] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e669 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e663) * _e575)) ^ _e113)));
-                                        let _e673 = select(select(_e514.member.member_1[1], _e669, (_e669 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e663 == 1023u));
-                                        let _e676 = ((_e532.member_1[0] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e682 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e676) * _e595)) ^ _e113)));
-                                        let _e686 = select(select(_e514.member.member_1[2], _e682, (_e682 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e676 == 1023u));
-                                        let _e689 = ((_e532.member_1[1] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e695 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e689) * _e555)) ^ _e113)));
-                                        let _e699 = select(select(_e514.member.member_1[0], _e695, (_e695 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e689 == 1023u));
-                                        let _e702 = ((_e532.member_1[1] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e708 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e702) * _e575)) ^ _e113)));
-                                        let _e712 = select(select(_e514.member.member_1[1], _e708, (_e708 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e702 == 1023u));
-                                        let _e715 = ((_e532.member_1[1] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e721 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e715) * _e595)) ^ _e113)));
-                                        let _e725 = select(select(_e514.member.member_1[2], _e721, (_e721 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e715 == 1023u));
-                                        let _e730 = type_49(type_41(array<f32, 3>(_e565, _e585, _e605), array<f32, 3>(_e618, _e631, _e644)), _e532.member_2);
-                                        let _e735 = type_49(type_41(array<f32, 3>(_e660, _e673, _e686), array<f32, 3>(_e699, _e712, _e725)), _e532.member_3);
-                                        let _e741 = ((_e565 - _e313) * _e318);
-                                        let _e742 = ((_e660 - _e313) * _e318);
-                                        let _e743 = ((_e618 - _e314) * _e318);
-                                        let _e744 = ((_e699 - _e314) * _e318);
-                                        let _e749 = ((_e585 - _e351) * _e356);
-                                        let _e750 = ((_e673 - _e351) * _e356);
-                                        let _e751 = ((_e631 - _e352) * _e356);
-                                        let _e752 = ((_e712 - _e352) * _e356);
-                                        let _e757 = ((_e605 - _e389) * _e394);
-                                        let _e758 = ((_e686 - _e389) * _e394);
-                                        let _e759 = ((_e644 - _e390) * _e394);
-                                        let _e760 = ((_e725 - _e390) * _e394);
-                                        let _e762 = select(_e759, _e757, (_e757 < _e759));
-                                        let _e764 = select(_e760, _e758, (_e758 < _e760));
-                                        let _e766 = select(_e759, _e757, (_e757 > _e759));
-                                        let _e768 = select(_e760, _e758, (_e758 > _e760));
-                                        let _e770 = select(_e743, _e741, (_e741 < _e743));
-                                        let _e772 = select(_e744, _e742, (_e742 < _e744));
-                                        let _e774 = select(_e751, _e749, (_e749 < _e751));
-                                        let _e776 = select(_e752, _e750, (_e750 < _e752));
-                                        let _e778 = select(_e774, _e770, (_e770 > _e774));
-                                        let _e780 = select(_e776, _e772, (_e772 > _e776));
-                                        let _e782 = select(_e762, _e778, (_e778 > _e762));
-                                        let _e784 = select(_e764, _e780, (_e780 > _e764));
-                                        let _e786 = select(_e743, _e741, (_e741 > _e743));
-                                        let _e788 = select(_e744, _e742, (_e742 > _e744));
-                                        let _e790 = select(_e751, _e749, (_e749 > _e751));
-                                        let _e792 = select(_e752, _e750, (_e750 > _e752));
-                                        let _e794 = select(_e790, _e786, (_e786 < _e790));
-                                        let _e796 = select(_e792, _e788, (_e788 < _e792));
-                                        let _e801 = -(_e762);
-                                        let _e802 = -(_e764);
-                                        let _e809 = (select(_e766, _e794, (_e794 < _e766)) + (select(_e801, _e766, (_e766 > _e801)) * 0.0000019073523f));
-                                        let _e810 = (select(_e768, _e796, (_e796 < _e768)) + (select(_e802, _e768, (_e768 > _e802)) * 0.0000019073523f));
-                                        let _e812 = select(_e441, _e782, (_e782 > _e441));
-                                        let _e814 = select(_e441, _e784, (_e784 > _e441));
-                                        let _e819 = (_e812 <= select(_e475.member, _e809, (_e809 < _e475.member)));
-                                        let _e820 = (_e814 <= select(_e475.member, _e810, (_e810 < _e475.member)));
-                                        let _e821 = (_e812 <= _e814);
-                                        if _e819 {
-                                            if _e820 {
-                                                if _e821 {
-                                                    phi_2907_ = _e735;
+                                        let _e691 = phi_2315_;
+                                        let _e706 = ((10u * _e245) & 31u);
+                                        let _e709 = ((_e691.member[0] >> bitcast<u32>(_e706)) & 1023u);
+                                        let _e717 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[0] - _e673.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                        let _e722 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e709)) - 8388608f) * _e717)) ^ _e117)));
+                                        let _e726 = select(select(_e673.member.member_1[0], _e722, (_e722 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e709 == 1023u));
+                                        let _e728 = ((10u * _e244) & 31u);
+                                        let _e731 = ((_e691.member[0] >> bitcast<u32>(_e728)) & 1023u);
+                                        let _e739 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[1] - _e673.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                        let _e744 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e731)) - 8388608f) * _e739)) ^ _e117)));
+                                        let _e748 = select(select(_e673.member.member_1[1], _e744, (_e744 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e731 == 1023u));
+                                        let _e750 = ((10u * _e246) & 31u);
+                                        let _e753 = ((_e691.member[0] >> bitcast<u32>(_e750)) & 1023u);
+                                        let _e761 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[2] - _e673.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                        let _e766 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e753)) - 8388608f) * _e761)) ^ _e117)));
+                                        let _e770 = select(select(_e673.member.member_1[2], _e766, (_e766 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e753 == 1023u));
+                                        let _e773 = ((_e691.member[1] >> bitcast<u32>(_e706)) & 1023u);
+                                        let _e781 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e717)) ^ _e117)));
+                                        let _e785 = select(select(_e673.member.member_1[0], _e781, (_e781 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e773 == 1023u));
+                                        let _e788 = ((_e691.member[1] >> bitcast<u32>(_e728)) & 1023u);
+                                        let _e796 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e739)) ^ _e117)));
+                                        let _e800 = select(select(_e673.member.member_1[1], _e796, (_e796 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e788 == 1023u));
+                                        let _e803 = ((_e691.member[1] >> bitcast<u32>(_e750)) & 1023u);
+                                        let _e811 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e803)) - 8388608f) * _e761)) ^ _e117)));
+                                        let _e815 = select(select(_e673.member.member_1[2], _e811, (_e811 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e803 == 1023u));
+                                        let _e821 = ((_e691.member_1[0] >> bitcast<u32>(_e706)) & 1023u);
+                                        let _e829 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e717)) ^ _e117)));
+                                        let _e833 = select(select(_e673.member.member_1[0], _e829, (_e829 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e821 == 1023u));
+                                        let _e836 = ((_e691.member_1[0] >> bitcast<u32>(_e728)) & 1023u);
+                                        let _e844 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e739)) ^ _e117)));
+                                        let _e848 = select(select(_e673.member.member_1[1], _e844, (_e844 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e836 == 1023u));
+                                        let _e851 = ((_e691.member_1[0] >> bitcast<u32>(_e750)) & 1023u);
+                                        let _e859 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e761)) ^ _e117)));
+                                        let _e863 = select(select(_e673.member.member_1[2], _e859, (_e859 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e851 == 1023u));
+                                        let _e866 = ((_e691.member_1[1] >> bitcast<u32>(_e706)) & 1023u);
+                                        let _e874 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e717)) ^ _e117)));
+                                        let _e878 = select(select(_e673.member.member_1[0], _e874, (_e874 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e866 == 1023u));
+                                        let _e881 = ((_e691.member_1[1] >> bitcast<u32>(_e728)) & 1023u);
+                                        let _e889 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e739)) ^ _e117)));
+                                        let _e893 = select(select(_e673.member.member_1[1], _e889, (_e889 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e881 == 1023u));
+                                        let _e896 = ((_e691.member_1[1] >> bitcast<u32>(_e750)) & 1023u);
+                                        let _e904 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e761)) ^ _e117)));
+                                        let _e908 = select(select(_e673.member.member_1[2], _e904, (_e904 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e896 == 1023u));
+                                        let _e913 = type_49(type_41(array<f32, 3>(_e726, _e748, _e770), array<f32, 3>(_e785, _e800, _e815)), _e691.member_2);
+                                        let _e918 = type_49(type_41(array<f32, 3>(_e833, _e848, _e863), array<f32, 3>(_e878, _e893, _e908)), _e691.member_3);
+                                        let _e924 = ((_e726 - _e347) * _e352);
+                                        let _e925 = ((_e833 - _e347) * _e352);
+                                        let _e926 = ((_e785 - _e348) * _e352);
+                                        let _e927 = ((_e878 - _e348) * _e352);
+                                        let _e932 = ((_e748 - _e415) * _e420);
+                                        let _e933 = ((_e848 - _e415) * _e420);
+                                        let _e934 = ((_e800 - _e416) * _e420);
+                                        let _e935 = ((_e893 - _e416) * _e420);
+                                        let _e940 = ((_e770 - _e483) * _e488);
+                                        let _e941 = ((_e863 - _e483) * _e488);
+                                        let _e942 = ((_e815 - _e484) * _e488);
+                                        let _e943 = ((_e908 - _e484) * _e488);
+                                        let _e945 = select(_e942, _e940, (_e940 < _e942));
+                                        let _e947 = select(_e943, _e941, (_e941 < _e943));
+                                        let _e949 = select(_e942, _e940, (_e940 > _e942));
+                                        let _e951 = select(_e943, _e941, (_e941 > _e943));
+                                        let _e953 = select(_e926, _e924, (_e924 < _e926));
+                                        let _e955 = select(_e927, _e925, (_e925 < _e927));
+                                        let _e957 = select(_e934, _e932, (_e932 < _e934));
+                                        let _e959 = select(_e935, _e933, (_e933 < _e935));
+                                        let _e961 = select(_e957, _e953, (_e953 > _e957));
+                                        let _e963 = select(_e959, _e955, (_e955 > _e959));
+                                        let _e965 = select(_e945, _e961, (_e961 > _e945));
+                                        let _e967 = select(_e947, _e963, (_e963 > _e947));
+                                        let _e969 = select(_e926, _e924, (_e924 > _e926));
+                                        let _e971 = select(_e927, _e925, (_e925 > _e927));
+                                        let _e973 = select(_e934, _e932, (_e932 > _e934));
+                                        let _e975 = select(_e935, _e933, (_e933 > _e935));
+                                        let _e977 = select(_e973, _e969, (_e969 < _e973));
+                                        let _e979 = select(_e975, _e971, (_e971 < _e975));
+                                        let _e984 = -(_e945);
+                                        let _e985 = -(_e947);
+                                        let _e992 = (select(_e949, _e977, (_e977 < _e949)) + (select(_e984, _e949, (_e949 > _e984)) * 0.0000019073523f));
+                                        let _e993 = (select(_e951, _e979, (_e979 < _e951)) + (select(_e985, _e951, (_e951 > _e985)) * 0.0000019073523f));
+                                        let _e995 = select(_e600, _e965, (_e965 > _e600));
+                                        let _e997 = select(_e600, _e967, (_e967 > _e600));
+                                        let _e1002 = (_e995 <= select(_e634.member, _e992, (_e992 < _e634.member)));
+                                        let _e1003 = (_e997 <= select(_e634.member, _e993, (_e993 < _e634.member)));
+                                        let _e1004 = (_e995 <= _e997);
+                                        if _e1002 {
+                                            if _e1003 {
+                                                if _e1004 {
+                                                    phi_3171_ = _e918;
                                                 } else {
-                                                    phi_2907_ = _e730;
+                                                    phi_3171_ = _e913;
                                                 }
-                                                let _e823 = phi_2907_;
-                                                let _e831 = (_e518 % 128u);
-                                                let _e832 = (_e831 < 128u);
-                                                if _e832 {
+                                                let _e1006 = phi_3171_;
+                                                let _e1014 = (_e677 % 128u);
+                                                let _e1015 = (_e1014 < 128u);
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3228_ = true;
+                                                    phi_3510_ = true;
                                                     break;
                                                 }
-                                                local_6[_e831] = _e823.member_1;
-                                                if _e832 {
+                                                local_6[_e1014] = _e1006.member_1;
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3228_ = true;
+                                                    phi_3510_ = true;
                                                     break;
                                                 }
-                                                local_5[_e831] = _e823.member.member[0];
-                                                if _e832 {
+                                                local_5[_e1014] = _e1006.member.member[0];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3228_ = true;
+                                                    phi_3510_ = true;
                                                     break;
                                                 }
-                                                local_4[_e831] = _e823.member.member[1];
-                                                if _e832 {
+                                                local_4[_e1014] = _e1006.member.member[1];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3228_ = true;
+                                                    phi_3510_ = true;
                                                     break;
                                                 }
-                                                local_3[_e831] = _e823.member.member[2];
-                                                if _e832 {
+                                                local_3[_e1014] = _e1006.member.member[2];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3228_ = true;
+                                                    phi_3510_ = true;
                                                     break;
                                                 }
-                                                local_2[_e831] = _e823.member.member_1[0];
-                                                if _e832 {
+                                                local_2[_e1014] = _e1006.member.member_1[0];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3228_ = true;
+                                                    phi_3510_ = true;
                                                     break;
                                                 }
-                                                local_1[_e831] = _e823.member.member_1[1];
-                                                if _e832 {
+                                                local_1[_e1014] = _e1006.member.member_1[1];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3228_ = true;
+                                                    phi_3510_ = true;
                                                     break;
                                                 }
-                                                local[_e831] = _e823.member.member_1[2];
-                                                if _e832 {
+                                                local[_e1014] = _e1006.member.member_1[2];
+                                                if _e1015 {
                                                 } else {
-                                                    phi_3228_ = true;
+                                                    phi_3510_ = true;
                                                     break;
                                                 }
-                                                local_7[_e831] = select(_e814, _e812, (_e812 > _e814));
-                                                if _e821 {
-                                                    phi_2984_ = _e730;
+                                                local_7[_e1014] = select(_e997, _e995, (_e995 > _e997));
+                                                if _e1004 {
+                                                    phi_3248_ = _e913;
                                                 } else {
-                                                    phi_2984_ = _e735;
+                                                    phi_3248_ = _e918;
                                                 }
-                                                let _e849 = phi_2984_;
-                                                phi_2985_ = _e849;
-                                                phi_2986_ = (_e518 + 1u);
+                                                let _e1032 = phi_3248_;
+                                                phi_3249_ = _e1032;
+                                                phi_3250_ = (_e677 + 1u);
                                             } else {
-                                                phi_2985_ = type_49();
-                                                phi_2986_ = u32();
+                                                phi_3249_ = type_49();
+                                                phi_3250_ = u32();
                                             }
-                                            let _e851 = phi_2985_;
-                                            let _e853 = phi_2986_;
-                                            phi_2988_ = _e851;
-                                            phi_2989_ = _e853;
-                                            phi_2990_ = select(true, false, _e820);
+                                            let _e1034 = phi_3249_;
+                                            let _e1036 = phi_3250_;
+                                            phi_3252_ = _e1034;
+                                            phi_3253_ = _e1036;
+                                            phi_3254_ = select(true, false, _e1003);
                                         } else {
-                                            phi_2988_ = type_49();
-                                            phi_2989_ = u32();
-                                            phi_2990_ = true;
+                                            phi_3252_ = type_49();
+                                            phi_3253_ = u32();
+                                            phi_3254_ = true;
                                         }
-                                        let _e856 = phi_2988_;
-                                        let _e858 = phi_2989_;
-                                        let _e860 = phi_2990_;
-                                        if _e860 {
-                                            if _e819 {
-                                                phi_2997_ = _e730;
+                                        let _e1039 = phi_3252_;
+                                        let _e1041 = phi_3253_;
+                                        let _e1043 = phi_3254_;
+                                        if _e1043 {
+                                            if _e1002 {
+                                                phi_3261_ = _e913;
                                             } else {
-                                                phi_2997_ = _e735;
+                                                phi_3261_ = _e918;
                                             }
-                                            let _e862 = phi_2997_;
-                                            phi_3002_ = _e862;
-                                            phi_3003_ = select(_e820, true, _e819);
+                                            let _e1045 = phi_3261_;
+                                            phi_3266_ = _e1045;
+                                            phi_3267_ = select(_e1003, true, _e1002);
                                         } else {
-                                            phi_3002_ = _e856;
-                                            phi_3003_ = _e516;
+                                            phi_3266_ = _e1039;
+                                            phi_3267_ = _e675;
                                         }
-                                        let _e865 = phi_3002_;
-                                        let _e867 = phi_3003_;
-                                        phi_3232_ = _e473;
-                                        phi_3005_ = _e475;
-                                        phi_3006_ = _e865;
-                                        phi_3007_ = _e867;
-                                        phi_3008_ = select(_e858, _e518, _e860);
+                                        let _e1048 = phi_3266_;
+                                        let _e1050 = phi_3267_;
+                                        phi_3514_ = _e632;
+                                        phi_3269_ = _e634;
+                                        phi_3270_ = _e1048;
+                                        phi_3271_ = _e1050;
+                                        phi_3272_ = select(_e1041, _e677, _e1043);
                                     }
-                                    let _e1525 = phi_3232_;
-                                    let _e1527 = phi_3005_;
-                                    let _e1529 = phi_3006_;
-                                    let _e1531 = phi_3007_;
-                                    let _e1533 = phi_3008_;
-                                    phi_3231_ = _e1525;
-                                    phi_3009_ = _e1527;
-                                    phi_3010_ = _e1529;
-                                    phi_3011_ = (_e479 - 1u);
-                                    phi_3012_ = _e1531;
-                                    phi_3013_ = _e1533;
+                                    let _e1726 = phi_3514_;
+                                    let _e1728 = phi_3269_;
+                                    let _e1730 = phi_3270_;
+                                    let _e1732 = phi_3271_;
+                                    let _e1734 = phi_3272_;
+                                    phi_3513_ = _e1726;
+                                    phi_3273_ = _e1728;
+                                    phi_3274_ = _e1730;
+                                    phi_3275_ = (_e638 - 1u);
+                                    phi_3276_ = _e1732;
+                                    phi_3277_ = _e1734;
                                 } else {
-                                    phi_3231_ = _e473;
-                                    phi_3009_ = _e475;
-                                    phi_3010_ = _e514;
-                                    phi_3011_ = _e479;
-                                    phi_3012_ = _e516;
-                                    phi_3013_ = _e518;
+                                    phi_3513_ = _e632;
+                                    phi_3273_ = _e634;
+                                    phi_3274_ = _e673;
+                                    phi_3275_ = _e638;
+                                    phi_3276_ = _e675;
+                                    phi_3277_ = _e677;
                                 }
-                                let _e1535 = phi_3231_;
-                                let _e1537 = phi_3009_;
-                                let _e1539 = phi_3010_;
-                                let _e1541 = phi_3011_;
-                                let _e1543 = phi_3012_;
-                                let _e1545 = phi_3013_;
-                                phi_3230_ = _e1535;
-                                phi_3014_ = _e1537;
-                                phi_3015_ = _e1539;
-                                phi_3016_ = _e1541;
-                                phi_3017_ = _e1543;
-                                phi_3018_ = _e1545;
+                                let _e1736 = phi_3513_;
+                                let _e1738 = phi_3273_;
+                                let _e1740 = phi_3274_;
+                                let _e1742 = phi_3275_;
+                                let _e1744 = phi_3276_;
+                                let _e1746 = phi_3277_;
+                                phi_3512_ = _e1736;
+                                phi_3278_ = _e1738;
+                                phi_3279_ = _e1740;
+                                phi_3280_ = _e1742;
+                                phi_3281_ = _e1744;
+                                phi_3282_ = _e1746;
                             } else {
-                                phi_3230_ = _e473;
-                                phi_3014_ = type_32();
-                                phi_3015_ = type_49();
-                                phi_3016_ = u32();
-                                phi_3017_ = bool();
-                                phi_3018_ = u32();
+                                phi_3512_ = _e632;
+                                phi_3278_ = type_32();
+                                phi_3279_ = type_49();
+                                phi_3280_ = u32();
+                                phi_3281_ = bool();
+                                phi_3282_ = u32();
                             }
-                            let _e1547 = phi_3230_;
-                            let _e1549 = phi_3014_;
-                            let _e1551 = phi_3015_;
-                            let _e1553 = phi_3016_;
-                            let _e1555 = phi_3017_;
-                            let _e1557 = phi_3018_;
-                            phi_3229_ = _e1547;
-                            phi_775_ = _e1549;
-                            phi_778_ = _e1551;
-                            phi_780_ = _e1553;
-                            phi_782_ = _e1555;
-                            phi_784_ = _e1557;
-                            phi_3019_ = _e487;
+                            let _e1748 = phi_3512_;
+                            let _e1750 = phi_3278_;
+                            let _e1752 = phi_3279_;
+                            let _e1754 = phi_3280_;
+                            let _e1756 = phi_3281_;
+                            let _e1758 = phi_3282_;
+                            phi_3511_ = _e1748;
+                            phi_997_ = _e1750;
+                            phi_1000_ = _e1752;
+                            phi_1002_ = _e1754;
+                            phi_1004_ = _e1756;
+                            phi_1006_ = _e1758;
+                            phi_3283_ = _e646;
                         } else {
-                            phi_3229_ = _e473;
-                            phi_775_ = type_32();
-                            phi_778_ = type_49();
-                            phi_780_ = u32();
-                            phi_782_ = bool();
-                            phi_784_ = u32();
-                            phi_3019_ = false;
+                            phi_3511_ = _e632;
+                            phi_997_ = type_32();
+                            phi_1000_ = type_49();
+                            phi_1002_ = u32();
+                            phi_1004_ = bool();
+                            phi_1006_ = u32();
+                            phi_3283_ = false;
                         }
-                        let _e1559 = phi_3229_;
-                        let _e1561 = phi_775_;
-                        let _e1563 = phi_778_;
-                        let _e1565 = phi_780_;
-                        let _e1567 = phi_782_;
-                        let _e1569 = phi_784_;
-                        let _e1571 = phi_3019_;
+                        let _e1760 = phi_3511_;
+                        let _e1762 = phi_997_;
+                        let _e1764 = phi_1000_;
+                        let _e1766 = phi_1002_;
+                        let _e1768 = phi_1004_;
+                        let _e1770 = phi_1006_;
+                        let _e1772 = phi_3283_;
                         continue;
                         continuing {
-                            phi_3077_ = _e1559;
-                            phi_774_ = _e1561;
-                            phi_777_ = _e1563;
-                            phi_779_ = _e1565;
-                            phi_781_ = _e1567;
-                            phi_783_ = _e1569;
-                            phi_3228_ = _e1559;
-                            break if !(_e1571);
+                            phi_3341_ = _e1760;
+                            phi_996_ = _e1762;
+                            phi_999_ = _e1764;
+                            phi_1001_ = _e1766;
+                            phi_1003_ = _e1768;
+                            phi_1005_ = _e1770;
+                            phi_3510_ = _e1760;
+                            break if !(_e1772);
                         }
                     }
-                    let _e1574 = phi_3228_;
-                    if _e1574 {
+                    let _e1775 = phi_3510_;
+                    if _e1775 {
                         break;
                     }
-                    let _e1576 = local_11;
-                    if _e129 {
+                    let _e1777 = local_11;
+                    if _e133 {
                     } else {
                         break;
                     }
-                    global_4.member[_e127] = select(0u, 1u, _e1576.member_1);
+                    global_4.member[_e131] = select(0u, 1u, _e1777.member_1);
                 }
             }
             break;

@@ -92,401 +92,461 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_365_: i32;
     var phi_366_: i32;
-    var phi_376_: bool;
-    var phi_386_: u32;
+    var phi_367_: i32;
+    var phi_377_: bool;
     var phi_387_: u32;
-    var phi_389_: bool;
-    var phi_394_: u32;
-    var phi_406_: i32;
-    var phi_426_: i32;
-    var phi_444_: f32;
-    var phi_450_: f32;
-    var phi_461_: f32;
-    var phi_467_: f32;
-    var phi_490_: f32;
-    var phi_501_: f32;
-    var phi_510_: f32;
-    var phi_516_: f32;
-    var phi_527_: f32;
-    var phi_533_: f32;
-    var phi_556_: f32;
-    var phi_567_: f32;
-    var phi_576_: f32;
-    var phi_582_: f32;
-    var phi_593_: f32;
-    var phi_599_: f32;
-    var phi_622_: f32;
-    var phi_633_: f32;
-    var phi_733_: f32;
-    var phi_734_: f32;
-    var phi_3382_: bool;
-    var phi_823_: type_42;
-    var phi_826_: type_49;
-    var phi_828_: u32;
-    var phi_830_: bool;
-    var phi_832_: u32;
-    var phi_843_: bool;
-    var phi_929_: type_49;
-    var phi_930_: bool;
-    var phi_931_: u32;
-    var phi_2660_: u32;
-    var phi_2661_: u32;
-    var phi_2671_: u32;
-    var phi_2673_: u32;
-    var phi_2674_: bool;
-    var phi_2694_: u32;
-    var phi_2695_: u32;
-    var phi_2699_: type_50;
-    var phi_3043_: type_49;
-    var phi_3120_: type_49;
-    var phi_3121_: type_49;
-    var phi_3122_: u32;
-    var phi_3124_: type_49;
-    var phi_3125_: u32;
-    var phi_3126_: bool;
-    var phi_3135_: type_49;
-    var phi_3140_: type_49;
-    var phi_3141_: bool;
-    var phi_949_: type_42;
-    var phi_952_: type_7;
-    var phi_953_: type_7;
-    var phi_975_: type_7;
-    var phi_996_: u32;
-    var phi_1085_: array<array<f32, 3>, 3>;
-    var phi_1202_: bool;
-    var phi_1231_: bool;
-    var phi_1632_: f32;
-    var phi_1633_: f32;
-    var phi_1634_: f32;
-    var phi_1635_: f32;
-    var phi_1636_: vec3<f32>;
-    var phi_1637_: vec3<f32>;
-    var phi_1638_: vec3<f32>;
-    var phi_1639_: vec3<f32>;
-    var phi_1670_: bool;
-    var phi_1679_: vec3<f32>;
-    var phi_1844_: f32;
-    var phi_1846_: f32;
-    var phi_1847_: bool;
-    var phi_1867_: f32;
-    var phi_1868_: f32;
-    var phi_1891_: type_28;
-    var phi_1893_: type_28;
-    var phi_1894_: bool;
-    var phi_1898_: type_28;
-    var phi_1899_: type_28;
-    var phi_1900_: type_28;
-    var phi_1901_: bool;
-    var phi_1905_: type_28;
-    var phi_1906_: bool;
-    var phi_1907_: type_28;
-    var phi_1908_: bool;
-    var phi_1909_: bool;
-    var phi_1910_: type_28;
-    var phi_1911_: bool;
-    var phi_1912_: bool;
-    var phi_1920_: type_28;
-    var phi_1921_: bool;
-    var phi_1925_: type_28;
-    var phi_1936_: type_42;
-    var phi_1937_: type_42;
-    var phi_950_: type_42;
-    var phi_3376_: bool;
+    var phi_388_: u32;
+    var phi_390_: bool;
+    var phi_395_: u32;
+    var phi_407_: i32;
+    var phi_427_: i32;
+    var phi_445_: f32;
+    var phi_451_: f32;
+    var phi_491_: f32;
+    var phi_497_: f32;
+    var phi_549_: f32;
+    var phi_560_: f32;
+    var phi_569_: f32;
+    var phi_575_: f32;
+    var phi_615_: f32;
+    var phi_621_: f32;
+    var phi_673_: f32;
+    var phi_684_: f32;
+    var phi_693_: f32;
+    var phi_699_: f32;
+    var phi_739_: f32;
+    var phi_745_: f32;
+    var phi_797_: f32;
+    var phi_808_: f32;
+    var phi_863_: i32;
+    var phi_885_: u32;
+    var phi_886_: u32;
+    var phi_923_: i32;
+    var phi_945_: u32;
+    var phi_946_: u32;
+    var phi_954_: f32;
+    var phi_955_: f32;
+    var phi_3612_: bool;
+    var phi_1044_: type_42;
+    var phi_1047_: type_49;
+    var phi_1049_: u32;
+    var phi_1051_: bool;
+    var phi_1053_: u32;
+    var phi_1064_: bool;
+    var phi_1150_: type_49;
+    var phi_1151_: bool;
+    var phi_1152_: u32;
+    var phi_2881_: u32;
+    var phi_2882_: u32;
+    var phi_2892_: u32;
+    var phi_2894_: u32;
+    var phi_2895_: bool;
+    var phi_2915_: u32;
+    var phi_2916_: u32;
+    var phi_2920_: type_50;
+    var phi_3264_: type_49;
+    var phi_3341_: type_49;
+    var phi_3342_: type_49;
+    var phi_3343_: u32;
+    var phi_3345_: type_49;
+    var phi_3346_: u32;
+    var phi_3347_: bool;
+    var phi_3356_: type_49;
+    var phi_3361_: type_49;
+    var phi_3362_: bool;
+    var phi_1170_: type_42;
+    var phi_1173_: type_7;
+    var phi_1174_: type_7;
+    var phi_1196_: type_7;
+    var phi_1217_: u32;
+    var phi_1306_: array<array<f32, 3>, 3>;
+    var phi_1423_: bool;
+    var phi_1452_: bool;
+    var phi_1853_: f32;
+    var phi_1854_: f32;
+    var phi_1855_: f32;
+    var phi_1856_: f32;
+    var phi_1857_: vec3<f32>;
+    var phi_1858_: vec3<f32>;
+    var phi_1859_: vec3<f32>;
+    var phi_1860_: vec3<f32>;
+    var phi_1891_: bool;
+    var phi_1900_: vec3<f32>;
+    var phi_2065_: f32;
+    var phi_2067_: f32;
+    var phi_2068_: bool;
+    var phi_2088_: f32;
+    var phi_2089_: f32;
+    var phi_2112_: type_28;
+    var phi_2114_: type_28;
+    var phi_2115_: bool;
+    var phi_2119_: type_28;
+    var phi_2120_: type_28;
+    var phi_2121_: type_28;
+    var phi_2122_: bool;
+    var phi_2126_: type_28;
+    var phi_2127_: bool;
+    var phi_2128_: type_28;
+    var phi_2129_: bool;
+    var phi_2130_: bool;
+    var phi_2131_: type_28;
+    var phi_2132_: bool;
+    var phi_2133_: bool;
+    var phi_2141_: type_28;
+    var phi_2142_: bool;
+    var phi_2146_: type_28;
+    var phi_2157_: type_42;
+    var phi_2158_: type_42;
+    var phi_1171_: type_42;
+    var phi_3606_: bool;
     var local_10: type_42;
-    var phi_3519_: bool;
-    var phi_3143_: type_42;
-    var phi_3144_: type_49;
-    var phi_3145_: bool;
-    var phi_3146_: u32;
-    var phi_3518_: bool;
-    var phi_3147_: type_42;
-    var phi_3148_: type_49;
-    var phi_3149_: u32;
-    var phi_3150_: bool;
-    var phi_3151_: u32;
-    var phi_3517_: bool;
-    var phi_3152_: type_42;
-    var phi_3153_: type_49;
-    var phi_3154_: u32;
-    var phi_3155_: bool;
-    var phi_3156_: u32;
-    var phi_3516_: bool;
-    var phi_824_: type_42;
-    var phi_827_: type_49;
-    var phi_829_: u32;
-    var phi_831_: bool;
-    var phi_833_: u32;
-    var phi_3157_: bool;
-    var phi_3515_: bool;
+    var phi_3767_: bool;
+    var phi_3364_: type_42;
+    var phi_3365_: type_49;
+    var phi_3366_: bool;
+    var phi_3367_: u32;
+    var phi_3766_: bool;
+    var phi_3368_: type_42;
+    var phi_3369_: type_49;
+    var phi_3370_: u32;
+    var phi_3371_: bool;
+    var phi_3372_: u32;
+    var phi_3765_: bool;
+    var phi_3373_: type_42;
+    var phi_3374_: type_49;
+    var phi_3375_: u32;
+    var phi_3376_: bool;
+    var phi_3377_: u32;
+    var phi_3764_: bool;
+    var phi_1045_: type_42;
+    var phi_1048_: type_49;
+    var phi_1050_: u32;
+    var phi_1052_: bool;
+    var phi_1054_: u32;
+    var phi_3378_: bool;
+    var phi_3763_: bool;
     var local_11: type_42;
     var local_12: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e85 = global;
-            let _e87 = arrayLength((&global_4.member));
-            let _e89 = arrayLength((&global_2.member));
-            let _e97 = global_3.member[0u][0u];
-            let _e101 = global_3.member[0u][1u];
-            let _e105 = global_3.member[0u][2u];
-            let _e109 = global_3.member[0u][3u];
-            let _e113 = global_3.member[1u][0u];
-            let _e117 = global_3.member[1u][1u];
-            let _e121 = global_3.member[1u][2u];
-            let _e124 = global_1.member[0u];
-            let _e125 = bitcast<i32>(_e124);
-            let _e137 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e109) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e97), bitcast<i32>(_e101), bitcast<i32>(_e105));
-            local = array<i32, 3>(bitcast<i32>(_e113), bitcast<i32>(_e117), bitcast<i32>(_e121));
-            let _e143 = (_e85.x + (_e85.y * 2097152u));
-            let _e144 = (_e143 < arrayLength((&global_5.member)));
-            if _e144 {
-                let _e145 = (_e143 < arrayLength((&global_6.member)));
-                if _e145 {
-                    if _e144 {
+            let _e88 = global;
+            let _e90 = arrayLength((&global_4.member));
+            let _e92 = arrayLength((&global_2.member));
+            let _e100 = global_3.member[0u][0u];
+            let _e104 = global_3.member[0u][1u];
+            let _e108 = global_3.member[0u][2u];
+            let _e112 = global_3.member[0u][3u];
+            let _e116 = global_3.member[1u][0u];
+            let _e120 = global_3.member[1u][1u];
+            let _e124 = global_3.member[1u][2u];
+            let _e127 = global_1.member[0u];
+            let _e128 = bitcast<i32>(_e127);
+            let _e140 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e112) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e100), bitcast<i32>(_e104), bitcast<i32>(_e108));
+            local = array<i32, 3>(bitcast<i32>(_e116), bitcast<i32>(_e120), bitcast<i32>(_e124));
+            let _e146 = (_e88.x + (_e88.y * 2097152u));
+            let _e147 = (_e146 < arrayLength((&global_5.member)));
+            if _e147 {
+                let _e148 = (_e146 < arrayLength((&global_6.member)));
+                if _e148 {
+                    if _e147 {
                     } else {
                         break;
                     }
-                    let _e153 = global_5.member[_e143].member_2[0u];
-                    let _e155 = (bitcast<u32>(_e153) & 2147483647u);
-                    let _e160 = global_5.member[_e143].member_2[1u];
-                    let _e162 = (bitcast<u32>(_e160) & 2147483647u);
-                    let _e167 = global_5.member[_e143].member_2[2u];
-                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
-                    let _e174 = global_5.member[_e143].member[0u];
-                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
-                    let _e181 = global_5.member[_e143].member[1u];
-                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
-                    let _e188 = global_5.member[_e143].member[2u];
-                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                    let _e192 = select(_e162, _e155, (_e162 < _e155));
-                    let _e194 = select(_e169, _e192, (_e169 < _e192));
-                    let _e196 = select(_e176, _e194, (_e176 < _e194));
-                    let _e198 = select(_e183, _e196, (_e183 < _e196));
-                    let _e200 = select(_e190, _e198, (_e190 < _e198));
-                    let _e204 = global_5.member[_e143].member_1;
-                    let _e206 = (bitcast<u32>(_e204) & 2147483647u);
-                    let _e213 = global_5.member[_e143].member_3;
-                    let _e219 = (((select(_e206, _e200, (_e206 < _e200)) < 2139095040u) && ((bitcast<u32>(_e213) & 2147483647u) <= 2139095040u)) && (_e194 > 0u));
-                    if _e219 {
-                        let _e222 = (bitcast<u32>(bitcast<f32>(_e194)) & 2147483647u);
-                        if (_e222 >= 8388608u) {
-                            phi_365_ = (bitcast<i32>((_e222 >> bitcast<u32>(23i))) - 127i);
+                    let _e156 = global_5.member[_e146].member_2[0u];
+                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
+                    let _e163 = global_5.member[_e146].member_2[1u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_5.member[_e146].member_2[2u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_5.member[_e146].member[0u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_5.member[_e146].member[1u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e191 = global_5.member[_e146].member[2u];
+                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
+                    let _e195 = select(_e165, _e158, (_e165 < _e158));
+                    let _e197 = select(_e172, _e195, (_e172 < _e195));
+                    let _e199 = select(_e179, _e197, (_e179 < _e197));
+                    let _e201 = select(_e186, _e199, (_e186 < _e199));
+                    let _e203 = select(_e193, _e201, (_e193 < _e201));
+                    let _e207 = global_5.member[_e146].member_1;
+                    let _e208 = bitcast<u32>(_e207);
+                    let _e209 = (_e208 & 2147483647u);
+                    let _e216 = global_5.member[_e146].member_3;
+                    let _e217 = bitcast<u32>(_e216);
+                    let _e218 = (_e217 & 2147483647u);
+                    let _e222 = (((select(_e209, _e203, (_e209 < _e203)) < 2139095040u) && (_e218 <= 2139095040u)) && (_e197 > 0u));
+                    if _e222 {
+                        let _e225 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
+                        if (_e225 >= 8388608u) {
+                            phi_366_ = (bitcast<i32>((_e225 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_365_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e222)), 32u, (_e222 == 0u))));
+                            phi_366_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e225)), 32u, (_e225 == 0u))));
                         }
-                        let _e236 = phi_365_;
-                        phi_366_ = _e236;
+                        let _e239 = phi_366_;
+                        phi_367_ = _e239;
                     } else {
-                        phi_366_ = 0i;
+                        phi_367_ = 0i;
                     }
-                    let _e238 = phi_366_;
-                    let _e239 = (_e155 == _e194);
-                    if _e239 {
-                        phi_376_ = true;
-                    } else {
-                        phi_376_ = (_e162 == _e194);
-                    }
-                    let _e242 = phi_376_;
-                    let _e243 = select(1u, 0u, _e239);
+                    let _e241 = phi_367_;
+                    let _e242 = (_e158 == _e197);
                     if _e242 {
-                        let _e244 = (_e243 + 1u);
-                        phi_386_ = _e244;
-                        phi_387_ = _e244;
-                        phi_389_ = select(true, false, (_e244 == 2u));
+                        phi_377_ = true;
                     } else {
-                        phi_386_ = u32();
-                        phi_387_ = 0u;
-                        phi_389_ = true;
+                        phi_377_ = (_e165 == _e197);
                     }
-                    let _e248 = phi_386_;
-                    let _e250 = phi_387_;
-                    let _e252 = phi_389_;
-                    if _e252 {
-                        phi_394_ = (_e250 + 1u);
+                    let _e245 = phi_377_;
+                    let _e246 = select(1u, 0u, _e242);
+                    if _e245 {
+                        let _e247 = (_e246 + 1u);
+                        phi_387_ = _e247;
+                        phi_388_ = _e247;
+                        phi_390_ = select(true, false, (_e247 == 2u));
                     } else {
-                        phi_394_ = 0u;
+                        phi_387_ = u32();
+                        phi_388_ = 0u;
+                        phi_390_ = true;
                     }
-                    let _e256 = phi_394_;
-                    let _e257 = select(_e248, _e250, _e252);
-                    let _e258 = select(_e243, select(2u, _e243, _e242), _e252);
-                    if (_e125 < -126i) {
-                        phi_406_ = -126i;
+                    let _e251 = phi_387_;
+                    let _e253 = phi_388_;
+                    let _e255 = phi_390_;
+                    if _e255 {
+                        phi_395_ = (_e253 + 1u);
                     } else {
-                        phi_406_ = select(_e125, 127i, (_e125 > 127i));
+                        phi_395_ = 0u;
                     }
-                    let _e263 = phi_406_;
-                    let _e268 = bitcast<f32>((bitcast<u32>((_e263 + 127i)) << bitcast<u32>(23i)));
-                    let _e274 = bitcast<f32>((bitcast<u32>(((_e125 - _e263) + 127i)) << bitcast<u32>(23i)));
-                    let _e275 = -(_e238);
-                    if (_e275 < -126i) {
-                        phi_426_ = -126i;
+                    let _e259 = phi_395_;
+                    let _e260 = select(_e251, _e253, _e255);
+                    let _e261 = select(_e246, select(2u, _e246, _e245), _e255);
+                    if (_e128 < -126i) {
+                        phi_407_ = -126i;
                     } else {
-                        phi_426_ = select(_e275, 127i, (_e275 > 127i));
+                        phi_407_ = select(_e128, 127i, (_e128 > 127i));
                     }
-                    let _e280 = phi_426_;
-                    let _e285 = bitcast<f32>((bitcast<u32>((_e280 + 127i)) << bitcast<u32>(23i)));
-                    let _e291 = bitcast<f32>((bitcast<u32>(((_e275 - _e280) + 127i)) << bitcast<u32>(23i)));
-                    let _e295 = global_5.member[_e143].member;
-                    let _e296 = (_e257 == 0u);
-                    if _e296 {
-                        phi_444_ = _e295[0];
+                    let _e266 = phi_407_;
+                    let _e271 = bitcast<f32>((bitcast<u32>((_e266 + 127i)) << bitcast<u32>(23i)));
+                    let _e277 = bitcast<f32>((bitcast<u32>(((_e128 - _e266) + 127i)) << bitcast<u32>(23i)));
+                    let _e278 = -(_e241);
+                    if (_e278 < -126i) {
+                        phi_427_ = -126i;
                     } else {
-                        phi_444_ = _e295[1];
+                        phi_427_ = select(_e278, 127i, (_e278 > 127i));
                     }
-                    let _e300 = phi_444_;
-                    let _e301 = (_e257 == 2u);
-                    if _e301 {
-                        phi_450_ = _e295[2];
+                    let _e283 = phi_427_;
+                    let _e288 = bitcast<f32>((bitcast<u32>((_e283 + 127i)) << bitcast<u32>(23i)));
+                    let _e294 = bitcast<f32>((bitcast<u32>(((_e278 - _e283) + 127i)) << bitcast<u32>(23i)));
+                    let _e298 = global_5.member[_e146].member;
+                    let _e299 = (_e260 == 0u);
+                    if _e299 {
+                        phi_445_ = _e298[0];
                     } else {
-                        phi_450_ = _e300;
+                        phi_445_ = _e298[1];
                     }
-                    let _e304 = phi_450_;
-                    let _e306 = ((_e304 * _e268) * _e274);
-                    let _e307 = global_5.member[_e143].member_2;
-                    if _e296 {
-                        phi_461_ = _e307[0];
+                    let _e303 = phi_445_;
+                    let _e304 = (_e260 == 2u);
+                    if _e304 {
+                        phi_451_ = _e298[2];
                     } else {
-                        phi_461_ = _e307[1];
+                        phi_451_ = _e303;
                     }
-                    let _e311 = phi_461_;
-                    if _e301 {
-                        phi_467_ = _e307[2];
+                    let _e307 = phi_451_;
+                    let _e308 = bitcast<u32>(_e307);
+                    let _e310 = ((_e308 & 2139095040u) != 0u);
+                    let _e324 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e308 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e308 & 2147483648u))), _e307, _e310) * _e271) * select(0.00000011920929f, 1f, _e310)) * _e277);
+                    let _e325 = global_5.member[_e146].member_2;
+                    if _e299 {
+                        phi_491_ = _e325[0];
                     } else {
-                        phi_467_ = _e311;
+                        phi_491_ = _e325[1];
                     }
-                    let _e314 = phi_467_;
-                    let _e316 = ((_e314 * _e285) * _e291);
-                    let _e320 = (bitcast<f32>((bitcast<u32>(_e316) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e320 {
-                        let _e324 = (bitcast<f32>((bitcast<u32>(_e306) & 2147483647u)) * 0.00000011920929f);
-                        phi_490_ = select(0.00000000000011368684f, _e324, (_e324 > 0.00000000000011368684f));
+                    let _e329 = phi_491_;
+                    if _e304 {
+                        phi_497_ = _e325[2];
                     } else {
-                        phi_490_ = 0f;
+                        phi_497_ = _e329;
                     }
-                    let _e328 = phi_490_;
-                    let _e329 = (_e306 + _e328);
-                    let _e330 = (_e306 - _e328);
-                    let _e331 = select(_e316, 0f, _e320);
-                    if _e320 {
-                        phi_501_ = 38685626000000000000000000f;
+                    let _e332 = phi_497_;
+                    let _e333 = bitcast<u32>(_e332);
+                    let _e335 = ((_e333 & 2139095040u) != 0u);
+                    let _e349 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e333 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e333 & 2147483648u))), _e332, _e335) * _e288) * select(0.00000011920929f, 1f, _e335)) * _e294);
+                    let _e353 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e353 {
+                        let _e357 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) * 0.00000011920929f);
+                        phi_549_ = select(0.00000000000011368684f, _e357, (_e357 > 0.00000000000011368684f));
                     } else {
-                        phi_501_ = (1f / _e316);
+                        phi_549_ = 0f;
                     }
-                    let _e334 = phi_501_;
-                    let _e335 = (_e256 == 0u);
-                    if _e335 {
-                        phi_510_ = _e295[0];
+                    let _e361 = phi_549_;
+                    let _e362 = (_e324 + _e361);
+                    let _e363 = (_e324 - _e361);
+                    let _e364 = select(_e349, 0f, _e353);
+                    if _e353 {
+                        phi_560_ = 38685626000000000000000000f;
                     } else {
-                        phi_510_ = _e295[1];
+                        phi_560_ = (1f / _e349);
                     }
-                    let _e339 = phi_510_;
-                    let _e340 = (_e256 == 2u);
-                    if _e340 {
-                        phi_516_ = _e295[2];
+                    let _e367 = phi_560_;
+                    let _e368 = (_e259 == 0u);
+                    if _e368 {
+                        phi_569_ = _e298[0];
                     } else {
-                        phi_516_ = _e339;
+                        phi_569_ = _e298[1];
                     }
-                    let _e343 = phi_516_;
-                    let _e345 = ((_e343 * _e268) * _e274);
-                    if _e335 {
-                        phi_527_ = _e307[0];
-                    } else {
-                        phi_527_ = _e307[1];
-                    }
-                    let _e349 = phi_527_;
-                    if _e340 {
-                        phi_533_ = _e307[2];
-                    } else {
-                        phi_533_ = _e349;
-                    }
-                    let _e352 = phi_533_;
-                    let _e354 = ((_e352 * _e285) * _e291);
-                    let _e358 = (bitcast<f32>((bitcast<u32>(_e354) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e358 {
-                        let _e362 = (bitcast<f32>((bitcast<u32>(_e345) & 2147483647u)) * 0.00000011920929f);
-                        phi_556_ = select(0.00000000000011368684f, _e362, (_e362 > 0.00000000000011368684f));
-                    } else {
-                        phi_556_ = 0f;
-                    }
-                    let _e366 = phi_556_;
-                    let _e367 = (_e345 + _e366);
-                    let _e368 = (_e345 - _e366);
-                    let _e369 = select(_e354, 0f, _e358);
-                    if _e358 {
-                        phi_567_ = 38685626000000000000000000f;
-                    } else {
-                        phi_567_ = (1f / _e354);
-                    }
-                    let _e372 = phi_567_;
-                    let _e373 = (_e258 == 0u);
+                    let _e372 = phi_569_;
+                    let _e373 = (_e259 == 2u);
                     if _e373 {
-                        phi_576_ = _e295[0];
+                        phi_575_ = _e298[2];
                     } else {
-                        phi_576_ = _e295[1];
+                        phi_575_ = _e372;
                     }
-                    let _e377 = phi_576_;
-                    let _e378 = (_e258 == 2u);
-                    if _e378 {
-                        phi_582_ = _e295[2];
+                    let _e376 = phi_575_;
+                    let _e377 = bitcast<u32>(_e376);
+                    let _e379 = ((_e377 & 2139095040u) != 0u);
+                    let _e393 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e377 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e377 & 2147483648u))), _e376, _e379) * _e271) * select(0.00000011920929f, 1f, _e379)) * _e277);
+                    if _e368 {
+                        phi_615_ = _e325[0];
                     } else {
-                        phi_582_ = _e377;
+                        phi_615_ = _e325[1];
                     }
-                    let _e381 = phi_582_;
-                    let _e383 = ((_e381 * _e268) * _e274);
+                    let _e397 = phi_615_;
                     if _e373 {
-                        phi_593_ = _e307[0];
+                        phi_621_ = _e325[2];
                     } else {
-                        phi_593_ = _e307[1];
+                        phi_621_ = _e397;
                     }
-                    let _e387 = phi_593_;
-                    if _e378 {
-                        phi_599_ = _e307[2];
+                    let _e400 = phi_621_;
+                    let _e401 = bitcast<u32>(_e400);
+                    let _e403 = ((_e401 & 2139095040u) != 0u);
+                    let _e417 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e401 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e401 & 2147483648u))), _e400, _e403) * _e288) * select(0.00000011920929f, 1f, _e403)) * _e294);
+                    let _e421 = (bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e421 {
+                        let _e425 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) * 0.00000011920929f);
+                        phi_673_ = select(0.00000000000011368684f, _e425, (_e425 > 0.00000000000011368684f));
                     } else {
-                        phi_599_ = _e387;
+                        phi_673_ = 0f;
                     }
-                    let _e390 = phi_599_;
-                    let _e392 = ((_e390 * _e285) * _e291);
-                    let _e396 = (bitcast<f32>((bitcast<u32>(_e392) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e396 {
-                        let _e400 = (bitcast<f32>((bitcast<u32>(_e383) & 2147483647u)) * 0.00000011920929f);
-                        phi_622_ = select(0.00000000000011368684f, _e400, (_e400 > 0.00000000000011368684f));
+                    let _e429 = phi_673_;
+                    let _e430 = (_e393 + _e429);
+                    let _e431 = (_e393 - _e429);
+                    let _e432 = select(_e417, 0f, _e421);
+                    if _e421 {
+                        phi_684_ = 38685626000000000000000000f;
                     } else {
-                        phi_622_ = 0f;
+                        phi_684_ = (1f / _e417);
                     }
-                    let _e404 = phi_622_;
-                    let _e405 = (_e383 + _e404);
-                    let _e406 = (_e383 - _e404);
-                    let _e407 = select(_e392, 0f, _e396);
-                    if _e396 {
-                        phi_633_ = 38685626000000000000000000f;
+                    let _e435 = phi_684_;
+                    let _e436 = (_e261 == 0u);
+                    if _e436 {
+                        phi_693_ = _e298[0];
                     } else {
-                        phi_633_ = (1f / _e392);
+                        phi_693_ = _e298[1];
                     }
-                    let _e410 = phi_633_;
-                    let _e413 = bitcast<f32>((bitcast<u32>(_e306) & 2147483647u));
-                    let _e416 = bitcast<f32>((bitcast<u32>(_e345) & 2147483647u));
-                    let _e418 = select(_e416, _e413, (_e413 > _e416));
-                    let _e421 = bitcast<f32>((bitcast<u32>(_e383) & 2147483647u));
-                    let _e424 = (_e125 + _e238);
-                    if (_e219 && (select(_e421, _e418, (_e418 > _e421)) <= 1099511600000f)) {
-                        let _e427 = (_e424 / 3i);
-                        let _e434 = bitcast<f32>((bitcast<u32>((_e427 + 127i)) << bitcast<u32>(23i)));
-                        let _e441 = bitcast<f32>((bitcast<u32>(((_e424 - (2i * _e427)) + 127i)) << bitcast<u32>(23i)));
-                        let _e442 = (((_e204 * _e434) * _e434) * _e441);
-                        let _e444 = select(340282350000000000000000000000000000000f, _e442, (_e442 < 340282350000000000000000000000000000000f));
-                        let _e449 = (((_e213 * _e434) * _e434) * _e441);
-                        let _e451 = select(340282350000000000000000000000000000000f, _e449, (_e449 < 340282350000000000000000000000000000000f));
-                        phi_733_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
-                        phi_734_ = select(-340282350000000000000000000000000000000f, _e444, (_e444 > -340282350000000000000000000000000000000f));
+                    let _e440 = phi_693_;
+                    let _e441 = (_e261 == 2u);
+                    if _e441 {
+                        phi_699_ = _e298[2];
                     } else {
-                        phi_733_ = 0f;
-                        phi_734_ = 1f;
+                        phi_699_ = _e440;
                     }
-                    let _e455 = phi_733_;
-                    let _e457 = phi_734_;
+                    let _e444 = phi_699_;
+                    let _e445 = bitcast<u32>(_e444);
+                    let _e447 = ((_e445 & 2139095040u) != 0u);
+                    let _e461 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e445 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e445 & 2147483648u))), _e444, _e447) * _e271) * select(0.00000011920929f, 1f, _e447)) * _e277);
+                    if _e436 {
+                        phi_739_ = _e325[0];
+                    } else {
+                        phi_739_ = _e325[1];
+                    }
+                    let _e465 = phi_739_;
+                    if _e441 {
+                        phi_745_ = _e325[2];
+                    } else {
+                        phi_745_ = _e465;
+                    }
+                    let _e468 = phi_745_;
+                    let _e469 = bitcast<u32>(_e468);
+                    let _e471 = ((_e469 & 2139095040u) != 0u);
+                    let _e485 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e469 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e469 & 2147483648u))), _e468, _e471) * _e288) * select(0.00000011920929f, 1f, _e471)) * _e294);
+                    let _e489 = (bitcast<f32>((bitcast<u32>(_e485) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e489 {
+                        let _e493 = (bitcast<f32>((bitcast<u32>(_e461) & 2147483647u)) * 0.00000011920929f);
+                        phi_797_ = select(0.00000000000011368684f, _e493, (_e493 > 0.00000000000011368684f));
+                    } else {
+                        phi_797_ = 0f;
+                    }
+                    let _e497 = phi_797_;
+                    let _e498 = (_e461 + _e497);
+                    let _e499 = (_e461 - _e497);
+                    let _e500 = select(_e485, 0f, _e489);
+                    if _e489 {
+                        phi_808_ = 38685626000000000000000000f;
+                    } else {
+                        phi_808_ = (1f / _e485);
+                    }
+                    let _e503 = phi_808_;
+                    let _e506 = bitcast<f32>((bitcast<u32>(_e324) & 2147483647u));
+                    let _e509 = bitcast<f32>((bitcast<u32>(_e393) & 2147483647u));
+                    let _e511 = select(_e509, _e506, (_e506 > _e509));
+                    let _e514 = bitcast<f32>((bitcast<u32>(_e461) & 2147483647u));
+                    let _e517 = (_e128 + _e241);
+                    if (_e222 && (select(_e514, _e511, (_e511 > _e514)) <= 1099511600000f)) {
+                        let _e527 = ((_e209 & 8388607u) | (select(0u, 1u, ((_e209 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e530 = bitcast<i32>((_e209 >> bitcast<u32>(23i)));
+                        let _e534 = (_e527 == 0u);
+                        let _e537 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e527)), 32u, _e534)) - 8i);
+                        if (_e530 == 255i) {
+                            phi_863_ = 255i;
+                        } else {
+                            phi_863_ = (((_e530 + select(0i, 1i, (_e530 == 0i))) - _e537) + _e517);
+                        }
+                        let _e545 = phi_863_;
+                        let _e555 = (_e545 <= 0i);
+                        if _e555 {
+                            phi_886_ = u32();
+                        } else {
+                            if _e534 {
+                                phi_885_ = u32();
+                            } else {
+                                phi_885_ = select(((bitcast<u32>(_e545) << bitcast<u32>(23i)) | ((_e527 << bitcast<u32>(((_e537 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e545 >= 255i));
+                            }
+                            let _e559 = phi_885_;
+                            phi_886_ = _e559;
+                        }
+                        let _e561 = phi_886_;
+                        let _e573 = ((_e218 & 8388607u) | (select(0u, 1u, ((_e218 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e576 = bitcast<i32>((_e218 >> bitcast<u32>(23i)));
+                        let _e580 = (_e573 == 0u);
+                        let _e583 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e573)), 32u, _e580)) - 8i);
+                        if (_e576 == 255i) {
+                            phi_923_ = 255i;
+                        } else {
+                            phi_923_ = (((_e576 + select(0i, 1i, (_e576 == 0i))) - _e583) + _e517);
+                        }
+                        let _e591 = phi_923_;
+                        let _e601 = (_e591 <= 0i);
+                        if _e601 {
+                            phi_946_ = u32();
+                        } else {
+                            if _e580 {
+                                phi_945_ = u32();
+                            } else {
+                                phi_945_ = select(((bitcast<u32>(_e591) << bitcast<u32>(23i)) | ((_e573 << bitcast<u32>(((_e583 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e591 >= 255i));
+                            }
+                            let _e605 = phi_945_;
+                            phi_946_ = _e605;
+                        }
+                        let _e607 = phi_946_;
+                        phi_954_ = bitcast<f32>(((_e217 & 2147483648u) | select(_e607, 0u, select(_e580, true, _e601))));
+                        phi_955_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e561, 0u, select(_e534, true, _e555))));
+                    } else {
+                        phi_954_ = 0f;
+                        phi_955_ = 1f;
+                    }
+                    let _e613 = phi_954_;
+                    let _e615 = phi_955_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -495,905 +555,905 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e461 = (_e257 % 3u);
-                    let _e462 = (_e461 < 3u);
-                    if _e462 {
+                    let _e619 = (_e260 % 3u);
+                    let _e620 = (_e619 < 3u);
+                    if _e620 {
                     } else {
                         break;
                     }
-                    let _e464 = local_1[_e461];
-                    let _e467 = (_e256 % 3u);
-                    let _e468 = (_e467 < 3u);
-                    if _e468 {
+                    let _e622 = local_1[_e619];
+                    let _e625 = (_e259 % 3u);
+                    let _e626 = (_e625 < 3u);
+                    if _e626 {
                     } else {
                         break;
                     }
-                    let _e470 = local_1[_e467];
-                    let _e473 = (_e258 % 3u);
-                    let _e474 = (_e473 < 3u);
-                    if _e474 {
+                    let _e628 = local_1[_e625];
+                    let _e631 = (_e261 % 3u);
+                    let _e632 = (_e631 < 3u);
+                    if _e632 {
                     } else {
                         break;
                     }
-                    let _e476 = local_1[_e473];
-                    if _e462 {
+                    let _e634 = local_1[_e631];
+                    if _e620 {
                     } else {
                         break;
                     }
-                    let _e481 = local[_e461];
-                    if _e468 {
+                    let _e639 = local[_e619];
+                    if _e626 {
                     } else {
                         break;
                     }
-                    let _e485 = local[_e467];
-                    if _e474 {
+                    let _e643 = local[_e625];
+                    if _e632 {
                     } else {
                         break;
                     }
-                    let _e489 = local[_e473];
-                    phi_3382_ = false;
-                    phi_823_ = type_42(_e455, false);
-                    phi_826_ = type_49(type_32(vec4<f32>((f32(_e464) * _e137), (f32(_e470) * _e137), (f32(_e476) * _e137), 0f), vec4<f32>((f32(_e481) * _e137), (f32(_e485) * _e137), (f32(_e489) * _e137), 0f)), select(0u, 2147483648u, (_e87 == 0u)));
-                    phi_828_ = ((3u * _e87) + 1u);
-                    phi_830_ = (_e457 <= _e455);
-                    phi_832_ = 0u;
+                    let _e647 = local[_e631];
+                    phi_3612_ = false;
+                    phi_1044_ = type_42(_e613, false);
+                    phi_1047_ = type_49(type_32(vec4<f32>((f32(_e622) * _e140), (f32(_e628) * _e140), (f32(_e634) * _e140), 0f), vec4<f32>((f32(_e639) * _e140), (f32(_e643) * _e140), (f32(_e647) * _e140), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
+                    phi_1049_ = ((3u * _e90) + 1u);
+                    phi_1051_ = (_e615 <= _e613);
+                    phi_1053_ = 0u;
                     loop {
-                        let _e499 = phi_3382_;
-                        let _e501 = phi_823_;
-                        let _e503 = phi_826_;
-                        let _e505 = phi_828_;
-                        let _e507 = phi_830_;
-                        let _e509 = phi_832_;
-                        local_11 = _e501;
-                        if _e507 {
-                            phi_843_ = true;
+                        let _e657 = phi_3612_;
+                        let _e659 = phi_1044_;
+                        let _e661 = phi_1047_;
+                        let _e663 = phi_1049_;
+                        let _e665 = phi_1051_;
+                        let _e667 = phi_1053_;
+                        local_11 = _e659;
+                        if _e665 {
+                            phi_1064_ = true;
                         } else {
-                            phi_843_ = (_e509 > 0u);
+                            phi_1064_ = (_e667 > 0u);
                         }
-                        let _e512 = phi_843_;
-                        if _e512 {
-                            let _e513 = (_e505 > 0u);
-                            if _e513 {
-                                if _e507 {
-                                    phi_929_ = _e503;
-                                    phi_930_ = _e507;
-                                    phi_931_ = _e509;
+                        let _e670 = phi_1064_;
+                        if _e670 {
+                            let _e671 = (_e663 > 0u);
+                            if _e671 {
+                                if _e665 {
+                                    phi_1150_ = _e661;
+                                    phi_1151_ = _e665;
+                                    phi_1152_ = _e667;
                                 } else {
-                                    let _e514 = (_e509 - 1u);
-                                    let _e515 = (_e514 % 128u);
-                                    let _e516 = (_e515 < 128u);
-                                    if _e516 {
+                                    let _e672 = (_e667 - 1u);
+                                    let _e673 = (_e672 % 128u);
+                                    let _e674 = (_e673 < 128u);
+                                    if _e674 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e518 = local_7[_e515];
-                                    if _e516 {
+                                    let _e676 = local_7[_e673];
+                                    if _e674 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e520 = local_6[_e515];
-                                    if _e516 {
+                                    let _e678 = local_6[_e673];
+                                    if _e674 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e522 = local_5[_e515];
-                                    if _e516 {
+                                    let _e680 = local_5[_e673];
+                                    if _e674 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e524 = local_4[_e515];
-                                    if _e516 {
+                                    let _e682 = local_4[_e673];
+                                    if _e674 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e526 = local_3[_e515];
-                                    if _e516 {
+                                    let _e684 = local_3[_e673];
+                                    if _e674 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e528 = local_2[_e515];
-                                    if _e516 {
+                                    let _e686 = local_2[_e673];
+                                    if _e674 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e533 = local_8[_e515];
-                                    if _e516 {
+                                    let _e691 = local_8[_e673];
+                                    if _e674 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e536 = local_9[_e515];
-                                    phi_929_ = type_49(type_32(vec4<f32>(_e518, _e520, _e522, 0f), vec4<f32>(_e524, _e526, _e528, 0f)), _e533);
-                                    phi_930_ = (_e536 <= _e501.member);
-                                    phi_931_ = _e514;
+                                    let _e694 = local_9[_e673];
+                                    phi_1150_ = type_49(type_32(vec4<f32>(_e676, _e678, _e680, 0f), vec4<f32>(_e682, _e684, _e686, 0f)), _e691);
+                                    phi_1151_ = (_e694 <= _e659.member);
+                                    phi_1152_ = _e672;
                                 }
-                                let _e540 = phi_929_;
-                                let _e542 = phi_930_;
-                                let _e544 = phi_931_;
-                                if _e542 {
-                                    if ((_e540.member_1 & 2147483648u) != 0u) {
-                                        phi_949_ = _e501;
-                                        phi_952_ = type_7(0u, ((_e540.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e698 = phi_1150_;
+                                let _e700 = phi_1151_;
+                                let _e702 = phi_1152_;
+                                if _e700 {
+                                    if ((_e698.member_1 & 2147483648u) != 0u) {
+                                        phi_1170_ = _e659;
+                                        phi_1173_ = type_7(0u, ((_e698.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e988 = phi_949_;
-                                            let _e990 = phi_952_;
-                                            local_10 = _e988;
-                                            local_12 = _e988;
-                                            if (_e990.member < _e990.member_1) {
-                                                phi_953_ = type_7((_e990.member + 1u), _e990.member_1);
-                                                phi_975_ = type_7(1u, _e990.member);
+                                            let _e1152 = phi_1170_;
+                                            let _e1154 = phi_1173_;
+                                            local_10 = _e1152;
+                                            local_12 = _e1152;
+                                            if (_e1154.member < _e1154.member_1) {
+                                                phi_1174_ = type_7((_e1154.member + 1u), _e1154.member_1);
+                                                phi_1196_ = type_7(1u, _e1154.member);
                                             } else {
-                                                phi_953_ = _e990;
-                                                phi_975_ = type_7(0u, type_7().member_1);
+                                                phi_1174_ = _e1154;
+                                                phi_1196_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1003 = phi_953_;
-                                            let _e1005 = phi_975_;
-                                            let _e1009 = (bitcast<i32>(_e1005.member) != 0i);
-                                            if _e1009 {
-                                                let _e1010 = ((_e540.member_1 & 268435455u) + _e1005.member_1);
-                                                let _e1011 = (_e1010 < _e89);
-                                                if _e1011 {
-                                                    if _e1011 {
+                                            let _e1167 = phi_1174_;
+                                            let _e1169 = phi_1196_;
+                                            let _e1173 = (bitcast<i32>(_e1169.member) != 0i);
+                                            if _e1173 {
+                                                let _e1174 = ((_e698.member_1 & 268435455u) + _e1169.member_1);
+                                                let _e1175 = (_e1174 < _e92);
+                                                if _e1175 {
+                                                    if _e1175 {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1015 = global_2.member[_e1010].member_1;
-                                                    phi_996_ = _e1015;
+                                                    let _e1179 = global_2.member[_e1174].member_1;
+                                                    phi_1217_ = _e1179;
                                                 } else {
-                                                    phi_996_ = 4294967295u;
+                                                    phi_1217_ = 4294967295u;
                                                 }
-                                                let _e1017 = phi_996_;
-                                                if (_e1010 >= _e89) {
-                                                    phi_1085_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1181 = phi_1217_;
+                                                if (_e1174 >= _e92) {
+                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1011 {
+                                                    if _e1175 {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    if (_e461 < 9u) {
+                                                    if (_e619 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1024 = global_2.member[_e1010].member[_e461];
-                                                    if (_e467 < 9u) {
+                                                    let _e1188 = global_2.member[_e1174].member[_e619];
+                                                    if (_e625 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1030 = global_2.member[_e1010].member[_e467];
-                                                    if (_e473 < 9u) {
+                                                    let _e1194 = global_2.member[_e1174].member[_e625];
+                                                    if (_e631 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1036 = global_2.member[_e1010].member[_e473];
-                                                    let _e1038 = (3u + _e461);
-                                                    if (_e1038 < 9u) {
+                                                    let _e1200 = global_2.member[_e1174].member[_e631];
+                                                    let _e1202 = (3u + _e619);
+                                                    if (_e1202 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1044 = global_2.member[_e1010].member[_e1038];
-                                                    let _e1045 = (3u + _e467);
-                                                    if (_e1045 < 9u) {
+                                                    let _e1208 = global_2.member[_e1174].member[_e1202];
+                                                    let _e1209 = (3u + _e625);
+                                                    if (_e1209 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1051 = global_2.member[_e1010].member[_e1045];
-                                                    let _e1052 = (3u + _e473);
-                                                    if (_e1052 < 9u) {
+                                                    let _e1215 = global_2.member[_e1174].member[_e1209];
+                                                    let _e1216 = (3u + _e631);
+                                                    if (_e1216 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1058 = global_2.member[_e1010].member[_e1052];
-                                                    let _e1060 = (6u + _e461);
-                                                    if (_e1060 < 9u) {
+                                                    let _e1222 = global_2.member[_e1174].member[_e1216];
+                                                    let _e1224 = (6u + _e619);
+                                                    if (_e1224 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1066 = global_2.member[_e1010].member[_e1060];
-                                                    let _e1067 = (6u + _e467);
-                                                    if (_e1067 < 9u) {
+                                                    let _e1230 = global_2.member[_e1174].member[_e1224];
+                                                    let _e1231 = (6u + _e625);
+                                                    if (_e1231 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1073 = global_2.member[_e1010].member[_e1067];
-                                                    let _e1074 = (6u + _e473);
-                                                    if (_e1074 < 9u) {
+                                                    let _e1237 = global_2.member[_e1174].member[_e1231];
+                                                    let _e1238 = (6u + _e631);
+                                                    if (_e1238 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1080 = global_2.member[_e1010].member[_e1074];
-                                                    phi_1085_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1024, _e1030, _e1036), array<f32, 3>(_e1044, _e1051, _e1058), array<f32, 3>(_e1066, _e1073, _e1080));
+                                                    let _e1244 = global_2.member[_e1174].member[_e1238];
+                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1188, _e1194, _e1200), array<f32, 3>(_e1208, _e1215, _e1222), array<f32, 3>(_e1230, _e1237, _e1244));
                                                 }
-                                                let _e1084 = phi_1085_;
-                                                let _e1092 = (_e1084[0][2] - _e383);
-                                                let _e1095 = (((_e1084[0][0] - _e306) * _e407) - (_e1092 * _e331));
-                                                let _e1098 = (((_e1084[0][1] - _e345) * _e407) - (_e1092 * _e369));
-                                                let _e1105 = (_e1084[1][2] - _e383);
-                                                let _e1108 = (((_e1084[1][0] - _e306) * _e407) - (_e1105 * _e331));
-                                                let _e1111 = (((_e1084[1][1] - _e345) * _e407) - (_e1105 * _e369));
-                                                let _e1118 = (_e1084[2][2] - _e383);
-                                                let _e1121 = (((_e1084[2][0] - _e306) * _e407) - (_e1118 * _e331));
-                                                let _e1124 = (((_e1084[2][1] - _e345) * _e407) - (_e1118 * _e369));
-                                                let _e1125 = (_e1121 * _e1111);
-                                                let _e1126 = (_e1124 * _e1108);
-                                                let _e1127 = (_e1095 * _e1124);
-                                                let _e1128 = (_e1098 * _e1121);
-                                                let _e1129 = (_e1108 * _e1098);
-                                                let _e1130 = (_e1111 * _e1095);
-                                                let _e1135 = (((_e1125 >= _e1126) && (_e1127 >= _e1128)) && (_e1129 >= _e1130));
-                                                if (_e1135 || (((_e1125 <= _e1126) && (_e1127 <= _e1128)) && (_e1129 <= _e1130))) {
-                                                    let _e1142 = select(-1f, 1f, _e1135);
-                                                    let _e1144 = ((_e1125 - _e1126) * _e1142);
-                                                    let _e1146 = select(0f, _e1144, (_e1144 > 0f));
-                                                    let _e1148 = ((_e1127 - _e1128) * _e1142);
-                                                    let _e1150 = select(0f, _e1148, (_e1148 > 0f));
-                                                    let _e1152 = ((_e1129 - _e1130) * _e1142);
-                                                    let _e1154 = select(0f, _e1152, (_e1152 > 0f));
-                                                    let _e1156 = ((_e1146 + _e1150) + _e1154);
-                                                    if (_e1156 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1910_ = type_28();
-                                                        phi_1911_ = true;
-                                                        phi_1912_ = false;
+                                                let _e1248 = phi_1306_;
+                                                let _e1256 = (_e1248[0][2] - _e461);
+                                                let _e1259 = (((_e1248[0][0] - _e324) * _e500) - (_e1256 * _e364));
+                                                let _e1262 = (((_e1248[0][1] - _e393) * _e500) - (_e1256 * _e432));
+                                                let _e1269 = (_e1248[1][2] - _e461);
+                                                let _e1272 = (((_e1248[1][0] - _e324) * _e500) - (_e1269 * _e364));
+                                                let _e1275 = (((_e1248[1][1] - _e393) * _e500) - (_e1269 * _e432));
+                                                let _e1282 = (_e1248[2][2] - _e461);
+                                                let _e1285 = (((_e1248[2][0] - _e324) * _e500) - (_e1282 * _e364));
+                                                let _e1288 = (((_e1248[2][1] - _e393) * _e500) - (_e1282 * _e432));
+                                                let _e1289 = (_e1285 * _e1275);
+                                                let _e1290 = (_e1288 * _e1272);
+                                                let _e1291 = (_e1259 * _e1288);
+                                                let _e1292 = (_e1262 * _e1285);
+                                                let _e1293 = (_e1272 * _e1262);
+                                                let _e1294 = (_e1275 * _e1259);
+                                                let _e1299 = (((_e1289 >= _e1290) && (_e1291 >= _e1292)) && (_e1293 >= _e1294));
+                                                if (_e1299 || (((_e1289 <= _e1290) && (_e1291 <= _e1292)) && (_e1293 <= _e1294))) {
+                                                    let _e1306 = select(-1f, 1f, _e1299);
+                                                    let _e1308 = ((_e1289 - _e1290) * _e1306);
+                                                    let _e1310 = select(0f, _e1308, (_e1308 > 0f));
+                                                    let _e1312 = ((_e1291 - _e1292) * _e1306);
+                                                    let _e1314 = select(0f, _e1312, (_e1312 > 0f));
+                                                    let _e1316 = ((_e1293 - _e1294) * _e1306);
+                                                    let _e1318 = select(0f, _e1316, (_e1316 > 0f));
+                                                    let _e1320 = ((_e1310 + _e1314) + _e1318);
+                                                    if (_e1320 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2131_ = type_28();
+                                                        phi_2132_ = true;
+                                                        phi_2133_ = false;
                                                     } else {
-                                                        let _e1159 = select(_e1108, _e1095, (_e1095 < _e1108));
-                                                        if (select(_e1121, _e1159, (_e1159 < _e1121)) > 0f) {
-                                                            phi_1202_ = true;
+                                                        let _e1323 = select(_e1272, _e1259, (_e1259 < _e1272));
+                                                        if (select(_e1285, _e1323, (_e1323 < _e1285)) > 0f) {
+                                                            phi_1423_ = true;
                                                         } else {
-                                                            let _e1164 = select(_e1108, _e1095, (_e1095 > _e1108));
-                                                            phi_1202_ = (select(_e1121, _e1164, (_e1164 > _e1121)) < 0f);
+                                                            let _e1328 = select(_e1272, _e1259, (_e1259 > _e1272));
+                                                            phi_1423_ = (select(_e1285, _e1328, (_e1328 > _e1285)) < 0f);
                                                         }
-                                                        let _e1169 = phi_1202_;
-                                                        if _e1169 {
-                                                            phi_1907_ = type_28();
-                                                            phi_1908_ = true;
-                                                            phi_1909_ = false;
+                                                        let _e1333 = phi_1423_;
+                                                        if _e1333 {
+                                                            phi_2128_ = type_28();
+                                                            phi_2129_ = true;
+                                                            phi_2130_ = false;
                                                         } else {
-                                                            let _e1171 = select(_e1111, _e1098, (_e1098 < _e1111));
-                                                            if (select(_e1124, _e1171, (_e1171 < _e1124)) > 0f) {
-                                                                phi_1231_ = true;
+                                                            let _e1335 = select(_e1275, _e1262, (_e1262 < _e1275));
+                                                            if (select(_e1288, _e1335, (_e1335 < _e1288)) > 0f) {
+                                                                phi_1452_ = true;
                                                             } else {
-                                                                let _e1176 = select(_e1111, _e1098, (_e1098 > _e1111));
-                                                                phi_1231_ = (select(_e1124, _e1176, (_e1176 > _e1124)) < 0f);
+                                                                let _e1340 = select(_e1275, _e1262, (_e1262 > _e1275));
+                                                                phi_1452_ = (select(_e1288, _e1340, (_e1340 > _e1288)) < 0f);
                                                             }
-                                                            let _e1181 = phi_1231_;
-                                                            if _e1181 {
-                                                                phi_1905_ = type_28();
-                                                                phi_1906_ = false;
+                                                            let _e1345 = phi_1452_;
+                                                            if _e1345 {
+                                                                phi_2126_ = type_28();
+                                                                phi_2127_ = false;
                                                             } else {
-                                                                let _e1183 = select(_e1084[1][0], _e1084[0][0], (_e1084[0][0] < _e1084[1][0]));
-                                                                let _e1187 = select(_e1084[1][0], _e1084[0][0], (_e1084[0][0] > _e1084[1][0]));
-                                                                let _e1191 = select(_e1084[1][1], _e1084[0][1], (_e1084[0][1] < _e1084[1][1]));
-                                                                let _e1195 = select(_e1084[1][1], _e1084[0][1], (_e1084[0][1] > _e1084[1][1]));
-                                                                let _e1199 = select(_e1084[1][2], _e1084[0][2], (_e1084[0][2] < _e1084[1][2]));
-                                                                let _e1203 = select(_e1084[1][2], _e1084[0][2], (_e1084[0][2] > _e1084[1][2]));
-                                                                let _e1208 = ((select(_e1084[2][0], _e1183, (_e1183 < _e1084[2][0])) - _e329) * _e334);
-                                                                let _e1209 = ((select(_e1084[2][0], _e1187, (_e1187 > _e1084[2][0])) - _e330) * _e334);
-                                                                let _e1212 = ((select(_e1084[2][1], _e1191, (_e1191 < _e1084[2][1])) - _e367) * _e372);
-                                                                let _e1213 = ((select(_e1084[2][1], _e1195, (_e1195 > _e1084[2][1])) - _e368) * _e372);
-                                                                let _e1216 = ((select(_e1084[2][2], _e1199, (_e1199 < _e1084[2][2])) - _e405) * _e410);
-                                                                let _e1217 = ((select(_e1084[2][2], _e1203, (_e1203 > _e1084[2][2])) - _e406) * _e410);
-                                                                let _e1219 = select(_e1217, _e1216, (_e1216 < _e1217));
-                                                                let _e1221 = select(_e1217, _e1216, (_e1216 > _e1217));
-                                                                let _e1223 = select(_e1209, _e1208, (_e1208 < _e1209));
-                                                                let _e1225 = select(_e1213, _e1212, (_e1212 < _e1213));
-                                                                let _e1227 = select(_e1225, _e1223, (_e1223 > _e1225));
-                                                                let _e1229 = select(_e1219, _e1227, (_e1227 > _e1219));
-                                                                let _e1231 = select(_e1209, _e1208, (_e1208 > _e1209));
-                                                                let _e1233 = select(_e1213, _e1212, (_e1212 > _e1213));
-                                                                let _e1235 = select(_e1233, _e1231, (_e1231 < _e1233));
-                                                                let _e1237 = select(_e1221, _e1235, (_e1235 < _e1221));
-                                                                let _e1238 = -(_e1219);
-                                                                let _e1244 = select(_e457, _e1229, (_e1229 > _e457));
-                                                                if (_e1244 > (_e1237 + (select(_e1238, _e1221, (_e1221 > _e1238)) * 0.0000019073523f))) {
-                                                                    phi_1900_ = type_28();
-                                                                    phi_1901_ = true;
+                                                                let _e1347 = select(_e1248[1][0], _e1248[0][0], (_e1248[0][0] < _e1248[1][0]));
+                                                                let _e1351 = select(_e1248[1][0], _e1248[0][0], (_e1248[0][0] > _e1248[1][0]));
+                                                                let _e1355 = select(_e1248[1][1], _e1248[0][1], (_e1248[0][1] < _e1248[1][1]));
+                                                                let _e1359 = select(_e1248[1][1], _e1248[0][1], (_e1248[0][1] > _e1248[1][1]));
+                                                                let _e1363 = select(_e1248[1][2], _e1248[0][2], (_e1248[0][2] < _e1248[1][2]));
+                                                                let _e1367 = select(_e1248[1][2], _e1248[0][2], (_e1248[0][2] > _e1248[1][2]));
+                                                                let _e1372 = ((select(_e1248[2][0], _e1347, (_e1347 < _e1248[2][0])) - _e362) * _e367);
+                                                                let _e1373 = ((select(_e1248[2][0], _e1351, (_e1351 > _e1248[2][0])) - _e363) * _e367);
+                                                                let _e1376 = ((select(_e1248[2][1], _e1355, (_e1355 < _e1248[2][1])) - _e430) * _e435);
+                                                                let _e1377 = ((select(_e1248[2][1], _e1359, (_e1359 > _e1248[2][1])) - _e431) * _e435);
+                                                                let _e1380 = ((select(_e1248[2][2], _e1363, (_e1363 < _e1248[2][2])) - _e498) * _e503);
+                                                                let _e1381 = ((select(_e1248[2][2], _e1367, (_e1367 > _e1248[2][2])) - _e499) * _e503);
+                                                                let _e1383 = select(_e1381, _e1380, (_e1380 < _e1381));
+                                                                let _e1385 = select(_e1381, _e1380, (_e1380 > _e1381));
+                                                                let _e1387 = select(_e1373, _e1372, (_e1372 < _e1373));
+                                                                let _e1389 = select(_e1377, _e1376, (_e1376 < _e1377));
+                                                                let _e1391 = select(_e1389, _e1387, (_e1387 > _e1389));
+                                                                let _e1393 = select(_e1383, _e1391, (_e1391 > _e1383));
+                                                                let _e1395 = select(_e1373, _e1372, (_e1372 > _e1373));
+                                                                let _e1397 = select(_e1377, _e1376, (_e1376 > _e1377));
+                                                                let _e1399 = select(_e1397, _e1395, (_e1395 < _e1397));
+                                                                let _e1401 = select(_e1385, _e1399, (_e1399 < _e1385));
+                                                                let _e1402 = -(_e1383);
+                                                                let _e1408 = select(_e615, _e1393, (_e1393 > _e615));
+                                                                if (_e1408 > (_e1401 + (select(_e1402, _e1385, (_e1385 > _e1402)) * 0.0000019073523f))) {
+                                                                    phi_2121_ = type_28();
+                                                                    phi_2122_ = true;
                                                                 } else {
-                                                                    let _e1246 = (_e1244 > _e988.member);
-                                                                    if _e1246 {
-                                                                        phi_1899_ = type_28();
+                                                                    let _e1410 = (_e1408 > _e1152.member);
+                                                                    if _e1410 {
+                                                                        phi_2120_ = type_28();
                                                                     } else {
-                                                                        let _e1247 = vec3<f32>(_e1084[0][0], _e1084[0][1], _e1084[0][2]);
-                                                                        let _e1248 = vec3<f32>(_e1084[1][0], _e1084[1][1], _e1084[1][2]);
-                                                                        let _e1249 = vec3<f32>(_e1084[2][0], _e1084[2][1], _e1084[2][2]);
-                                                                        let _e1250 = (_e1084[1][0] - _e1084[0][0]);
-                                                                        let _e1251 = (_e1084[1][1] - _e1084[0][1]);
-                                                                        let _e1252 = (_e1084[1][2] - _e1084[0][2]);
-                                                                        let _e1253 = vec3<f32>(_e1250, _e1251, _e1252);
-                                                                        let _e1254 = (_e1084[2][0] - _e1084[1][0]);
-                                                                        let _e1255 = (_e1084[2][1] - _e1084[1][1]);
-                                                                        let _e1256 = (_e1084[2][2] - _e1084[1][2]);
-                                                                        let _e1257 = vec3<f32>(_e1254, _e1255, _e1256);
-                                                                        let _e1258 = (_e1084[0][0] - _e1084[2][0]);
-                                                                        let _e1259 = (_e1084[0][1] - _e1084[2][1]);
-                                                                        let _e1260 = (_e1084[0][2] - _e1084[2][2]);
-                                                                        let _e1261 = vec3<f32>(_e1258, _e1259, _e1260);
-                                                                        let _e1264 = bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u));
-                                                                        let _e1267 = bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u));
-                                                                        let _e1269 = select(_e1267, _e1264, (_e1264 > _e1267));
-                                                                        let _e1272 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
-                                                                        let _e1274 = select(_e1272, _e1269, (_e1269 > _e1272));
-                                                                        let _e1277 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
-                                                                        let _e1280 = bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u));
-                                                                        let _e1282 = select(_e1280, _e1277, (_e1277 > _e1280));
-                                                                        let _e1285 = bitcast<f32>((bitcast<u32>(_e1256) & 2147483647u));
-                                                                        let _e1287 = select(_e1285, _e1282, (_e1282 > _e1285));
-                                                                        let _e1290 = bitcast<f32>((bitcast<u32>(_e1258) & 2147483647u));
-                                                                        let _e1293 = bitcast<f32>((bitcast<u32>(_e1259) & 2147483647u));
-                                                                        let _e1295 = select(_e1293, _e1290, (_e1290 > _e1293));
-                                                                        let _e1298 = bitcast<f32>((bitcast<u32>(_e1260) & 2147483647u));
-                                                                        let _e1300 = select(_e1298, _e1295, (_e1295 > _e1298));
-                                                                        let _e1302 = select(_e1287, _e1274, (_e1274 > _e1287));
-                                                                        let _e1304 = select(_e1300, _e1302, (_e1302 > _e1300));
-                                                                        if (_e1274 == _e1304) {
-                                                                            phi_1632_ = _e1111;
-                                                                            phi_1633_ = _e1108;
-                                                                            phi_1634_ = _e1098;
-                                                                            phi_1635_ = _e1095;
-                                                                            phi_1636_ = _e1247;
-                                                                            phi_1637_ = _e1261;
-                                                                            phi_1638_ = _e1257;
-                                                                            phi_1639_ = _e1253;
+                                                                        let _e1411 = vec3<f32>(_e1248[0][0], _e1248[0][1], _e1248[0][2]);
+                                                                        let _e1412 = vec3<f32>(_e1248[1][0], _e1248[1][1], _e1248[1][2]);
+                                                                        let _e1413 = vec3<f32>(_e1248[2][0], _e1248[2][1], _e1248[2][2]);
+                                                                        let _e1414 = (_e1248[1][0] - _e1248[0][0]);
+                                                                        let _e1415 = (_e1248[1][1] - _e1248[0][1]);
+                                                                        let _e1416 = (_e1248[1][2] - _e1248[0][2]);
+                                                                        let _e1417 = vec3<f32>(_e1414, _e1415, _e1416);
+                                                                        let _e1418 = (_e1248[2][0] - _e1248[1][0]);
+                                                                        let _e1419 = (_e1248[2][1] - _e1248[1][1]);
+                                                                        let _e1420 = (_e1248[2][2] - _e1248[1][2]);
+                                                                        let _e1421 = vec3<f32>(_e1418, _e1419, _e1420);
+                                                                        let _e1422 = (_e1248[0][0] - _e1248[2][0]);
+                                                                        let _e1423 = (_e1248[0][1] - _e1248[2][1]);
+                                                                        let _e1424 = (_e1248[0][2] - _e1248[2][2]);
+                                                                        let _e1425 = vec3<f32>(_e1422, _e1423, _e1424);
+                                                                        let _e1428 = bitcast<f32>((bitcast<u32>(_e1414) & 2147483647u));
+                                                                        let _e1431 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
+                                                                        let _e1433 = select(_e1431, _e1428, (_e1428 > _e1431));
+                                                                        let _e1436 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
+                                                                        let _e1438 = select(_e1436, _e1433, (_e1433 > _e1436));
+                                                                        let _e1441 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
+                                                                        let _e1444 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
+                                                                        let _e1446 = select(_e1444, _e1441, (_e1441 > _e1444));
+                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
+                                                                        let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
+                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
+                                                                        let _e1457 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
+                                                                        let _e1459 = select(_e1457, _e1454, (_e1454 > _e1457));
+                                                                        let _e1462 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
+                                                                        let _e1464 = select(_e1462, _e1459, (_e1459 > _e1462));
+                                                                        let _e1466 = select(_e1451, _e1438, (_e1438 > _e1451));
+                                                                        let _e1468 = select(_e1464, _e1466, (_e1466 > _e1464));
+                                                                        if (_e1438 == _e1468) {
+                                                                            phi_1853_ = _e1275;
+                                                                            phi_1854_ = _e1272;
+                                                                            phi_1855_ = _e1262;
+                                                                            phi_1856_ = _e1259;
+                                                                            phi_1857_ = _e1411;
+                                                                            phi_1858_ = _e1425;
+                                                                            phi_1859_ = _e1421;
+                                                                            phi_1860_ = _e1417;
                                                                         } else {
-                                                                            let _e1306 = (_e1287 == _e1304);
-                                                                            let _e1311 = vec3(_e1306);
-                                                                            phi_1632_ = select(_e1098, _e1124, _e1306);
-                                                                            phi_1633_ = select(_e1095, _e1121, _e1306);
-                                                                            phi_1634_ = select(_e1124, _e1111, _e1306);
-                                                                            phi_1635_ = select(_e1121, _e1108, _e1306);
-                                                                            phi_1636_ = select(_e1249, _e1248, _e1311);
-                                                                            phi_1637_ = select(_e1257, _e1253, _e1311);
-                                                                            phi_1638_ = select(_e1253, _e1261, _e1311);
-                                                                            phi_1639_ = select(_e1261, _e1257, _e1311);
+                                                                            let _e1470 = (_e1451 == _e1468);
+                                                                            let _e1475 = vec3(_e1470);
+                                                                            phi_1853_ = select(_e1262, _e1288, _e1470);
+                                                                            phi_1854_ = select(_e1259, _e1285, _e1470);
+                                                                            phi_1855_ = select(_e1288, _e1275, _e1470);
+                                                                            phi_1856_ = select(_e1285, _e1272, _e1470);
+                                                                            phi_1857_ = select(_e1413, _e1412, _e1475);
+                                                                            phi_1858_ = select(_e1421, _e1417, _e1475);
+                                                                            phi_1859_ = select(_e1417, _e1425, _e1475);
+                                                                            phi_1860_ = select(_e1425, _e1421, _e1475);
                                                                         }
-                                                                        let _e1317 = phi_1632_;
-                                                                        let _e1319 = phi_1633_;
-                                                                        let _e1321 = phi_1634_;
-                                                                        let _e1323 = phi_1635_;
-                                                                        let _e1325 = phi_1636_;
-                                                                        let _e1327 = phi_1637_;
-                                                                        let _e1329 = phi_1638_;
-                                                                        let _e1331 = phi_1639_;
-                                                                        let _e1338 = ((_e1329.y * _e1327.z) - (_e1327.y * _e1329.z));
-                                                                        let _e1343 = ((_e1329.z * _e1327.x) - (_e1327.z * _e1329.x));
-                                                                        let _e1346 = ((_e1329.x * _e1327.y) - (_e1327.x * _e1329.y));
-                                                                        if (_e1146 >= _e1150) {
-                                                                            phi_1670_ = select(true, false, (_e1146 >= _e1154));
+                                                                        let _e1481 = phi_1853_;
+                                                                        let _e1483 = phi_1854_;
+                                                                        let _e1485 = phi_1855_;
+                                                                        let _e1487 = phi_1856_;
+                                                                        let _e1489 = phi_1857_;
+                                                                        let _e1491 = phi_1858_;
+                                                                        let _e1493 = phi_1859_;
+                                                                        let _e1495 = phi_1860_;
+                                                                        let _e1502 = ((_e1493.y * _e1491.z) - (_e1491.y * _e1493.z));
+                                                                        let _e1507 = ((_e1493.z * _e1491.x) - (_e1491.z * _e1493.x));
+                                                                        let _e1510 = ((_e1493.x * _e1491.y) - (_e1491.x * _e1493.y));
+                                                                        if (_e1310 >= _e1314) {
+                                                                            phi_1891_ = select(true, false, (_e1310 >= _e1318));
                                                                         } else {
-                                                                            phi_1670_ = true;
+                                                                            phi_1891_ = true;
                                                                         }
-                                                                        let _e1351 = phi_1670_;
-                                                                        if _e1351 {
-                                                                            phi_1679_ = select(_e1249, _e1248, vec3((_e1150 >= _e1154)));
+                                                                        let _e1515 = phi_1891_;
+                                                                        if _e1515 {
+                                                                            phi_1900_ = select(_e1413, _e1412, vec3((_e1314 >= _e1318)));
                                                                         } else {
-                                                                            phi_1679_ = _e1247;
+                                                                            phi_1900_ = _e1411;
                                                                         }
-                                                                        let _e1356 = phi_1679_;
-                                                                        let _e1367 = (((_e1338 * (_e1356.x - _e306)) + (_e1343 * (_e1356.y - _e345))) + (_e1346 * (_e1356.z - _e383)));
-                                                                        let _e1372 = (((_e1338 * _e331) + (_e1343 * _e369)) + (_e1346 * _e407));
-                                                                        let _e1373 = (_e1319 - _e1323);
-                                                                        let _e1374 = (_e1317 - _e1321);
-                                                                        let _e1382 = (-(((_e1323 * _e1373) + (_e1321 * _e1374))) / ((_e1373 * _e1373) + (_e1374 * _e1374)));
-                                                                        let _e1384 = select(1f, _e1382, (_e1382 < 1f));
-                                                                        let _e1386 = select(0f, _e1384, (_e1384 > 0f));
-                                                                        let _e1399 = ((_e1325.x + (_e1331.x * _e1386)) - _e306);
-                                                                        let _e1400 = ((_e1325.y + (_e1331.y * _e1386)) - _e345);
-                                                                        let _e1401 = ((_e1325.z + (_e1331.z * _e1386)) - _e383);
-                                                                        let _e1402 = (_e1401 / _e407);
-                                                                        let _e1414 = bitcast<f32>((bitcast<u32>(_e1399) & 2147483647u));
-                                                                        let _e1417 = bitcast<f32>((bitcast<u32>(_e1400) & 2147483647u));
-                                                                        let _e1419 = select(_e1417, _e1414, (_e1414 > _e1417));
-                                                                        let _e1422 = bitcast<f32>((bitcast<u32>(_e1401) & 2147483647u));
-                                                                        let _e1424 = select(_e1422, _e1419, (_e1419 > _e1422));
-                                                                        let _e1430 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
-                                                                        let _e1433 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
-                                                                        let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
-                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1338 * _e1399) + (_e1343 * _e1400)) + (_e1346 * _e1401)) - _e1367)) & 2147483647u)) <= ((0.0000009536743f * select(_e1304, _e1424, (_e1424 > _e1304))) * select(_e1438, _e1435, (_e1435 > _e1438)))) {
-                                                                            let _e1448 = bitcast<f32>((bitcast<u32>(_e1329.x) & 2147483647u));
-                                                                            let _e1451 = bitcast<f32>((bitcast<u32>(_e1329.y) & 2147483647u));
-                                                                            let _e1453 = select(_e1451, _e1448, (_e1448 > _e1451));
-                                                                            let _e1456 = bitcast<f32>((bitcast<u32>(_e1329.z) & 2147483647u));
-                                                                            let _e1462 = bitcast<f32>((bitcast<u32>(_e1327.x) & 2147483647u));
-                                                                            let _e1465 = bitcast<f32>((bitcast<u32>(_e1327.y) & 2147483647u));
-                                                                            let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
-                                                                            let _e1470 = bitcast<f32>((bitcast<u32>(_e1327.z) & 2147483647u));
-                                                                            let _e1474 = (bitcast<f32>((bitcast<u32>(_e1372) & 2147483647u)) > ((0.0000038146973f * select(_e1456, _e1453, (_e1453 > _e1456))) * select(_e1470, _e1467, (_e1467 > _e1470))));
-                                                                            if _e1474 {
-                                                                                phi_1844_ = (_e1367 / _e1372);
+                                                                        let _e1520 = phi_1900_;
+                                                                        let _e1531 = (((_e1502 * (_e1520.x - _e324)) + (_e1507 * (_e1520.y - _e393))) + (_e1510 * (_e1520.z - _e461)));
+                                                                        let _e1536 = (((_e1502 * _e364) + (_e1507 * _e432)) + (_e1510 * _e500));
+                                                                        let _e1537 = (_e1483 - _e1487);
+                                                                        let _e1538 = (_e1481 - _e1485);
+                                                                        let _e1546 = (-(((_e1487 * _e1537) + (_e1485 * _e1538))) / ((_e1537 * _e1537) + (_e1538 * _e1538)));
+                                                                        let _e1548 = select(1f, _e1546, (_e1546 < 1f));
+                                                                        let _e1550 = select(0f, _e1548, (_e1548 > 0f));
+                                                                        let _e1563 = ((_e1489.x + (_e1495.x * _e1550)) - _e324);
+                                                                        let _e1564 = ((_e1489.y + (_e1495.y * _e1550)) - _e393);
+                                                                        let _e1565 = ((_e1489.z + (_e1495.z * _e1550)) - _e461);
+                                                                        let _e1566 = (_e1565 / _e500);
+                                                                        let _e1578 = bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u));
+                                                                        let _e1581 = bitcast<f32>((bitcast<u32>(_e1564) & 2147483647u));
+                                                                        let _e1583 = select(_e1581, _e1578, (_e1578 > _e1581));
+                                                                        let _e1586 = bitcast<f32>((bitcast<u32>(_e1565) & 2147483647u));
+                                                                        let _e1588 = select(_e1586, _e1583, (_e1583 > _e1586));
+                                                                        let _e1594 = bitcast<f32>((bitcast<u32>(_e1502) & 2147483647u));
+                                                                        let _e1597 = bitcast<f32>((bitcast<u32>(_e1507) & 2147483647u));
+                                                                        let _e1599 = select(_e1597, _e1594, (_e1594 > _e1597));
+                                                                        let _e1602 = bitcast<f32>((bitcast<u32>(_e1510) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1502 * _e1563) + (_e1507 * _e1564)) + (_e1510 * _e1565)) - _e1531)) & 2147483647u)) <= ((0.0000009536743f * select(_e1468, _e1588, (_e1588 > _e1468))) * select(_e1602, _e1599, (_e1599 > _e1602)))) {
+                                                                            let _e1612 = bitcast<f32>((bitcast<u32>(_e1493.x) & 2147483647u));
+                                                                            let _e1615 = bitcast<f32>((bitcast<u32>(_e1493.y) & 2147483647u));
+                                                                            let _e1617 = select(_e1615, _e1612, (_e1612 > _e1615));
+                                                                            let _e1620 = bitcast<f32>((bitcast<u32>(_e1493.z) & 2147483647u));
+                                                                            let _e1626 = bitcast<f32>((bitcast<u32>(_e1491.x) & 2147483647u));
+                                                                            let _e1629 = bitcast<f32>((bitcast<u32>(_e1491.y) & 2147483647u));
+                                                                            let _e1631 = select(_e1629, _e1626, (_e1626 > _e1629));
+                                                                            let _e1634 = bitcast<f32>((bitcast<u32>(_e1491.z) & 2147483647u));
+                                                                            let _e1638 = (bitcast<f32>((bitcast<u32>(_e1536) & 2147483647u)) > ((0.0000038146973f * select(_e1620, _e1617, (_e1617 > _e1620))) * select(_e1634, _e1631, (_e1631 > _e1634))));
+                                                                            if _e1638 {
+                                                                                phi_2065_ = (_e1531 / _e1536);
                                                                             } else {
-                                                                                phi_1844_ = f32();
+                                                                                phi_2065_ = f32();
                                                                             }
-                                                                            let _e1477 = phi_1844_;
-                                                                            phi_1846_ = _e1477;
-                                                                            phi_1847_ = select(true, false, _e1474);
+                                                                            let _e1641 = phi_2065_;
+                                                                            phi_2067_ = _e1641;
+                                                                            phi_2068_ = select(true, false, _e1638);
                                                                         } else {
-                                                                            phi_1846_ = f32();
-                                                                            phi_1847_ = true;
+                                                                            phi_2067_ = f32();
+                                                                            phi_2068_ = true;
                                                                         }
-                                                                        let _e1480 = phi_1846_;
-                                                                        let _e1482 = phi_1847_;
-                                                                        if _e1482 {
-                                                                            let _e1490 = (((_e1338 * (_e1399 - (_e331 * _e1402))) + (_e1343 * (_e1400 - (_e369 * _e1402)))) / _e1372);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u)) <= _e1304) {
-                                                                                phi_1867_ = (_e1402 + _e1490);
+                                                                        let _e1644 = phi_2067_;
+                                                                        let _e1646 = phi_2068_;
+                                                                        if _e1646 {
+                                                                            let _e1654 = (((_e1502 * (_e1563 - (_e364 * _e1566))) + (_e1507 * (_e1564 - (_e432 * _e1566)))) / _e1536);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1654) & 2147483647u)) <= _e1468) {
+                                                                                phi_2088_ = (_e1566 + _e1654);
                                                                             } else {
-                                                                                phi_1867_ = _e1402;
+                                                                                phi_2088_ = _e1566;
                                                                             }
-                                                                            let _e1497 = phi_1867_;
-                                                                            phi_1868_ = _e1497;
+                                                                            let _e1661 = phi_2088_;
+                                                                            phi_2089_ = _e1661;
                                                                         } else {
-                                                                            phi_1868_ = _e1480;
+                                                                            phi_2089_ = _e1644;
                                                                         }
-                                                                        let _e1499 = phi_1868_;
-                                                                        let _e1501 = select(_e1237, _e1499, (_e1499 < _e1237));
-                                                                        let _e1503 = select(_e1229, _e1501, (_e1501 > _e1229));
-                                                                        if (_e1503 >= _e457) {
-                                                                            let _e1505 = (_e1503 <= _e988.member);
-                                                                            if _e1505 {
-                                                                                let _e1506 = (1f / _e1156);
-                                                                                phi_1891_ = type_28(_e1503, (_e1150 * _e1506), (_e1154 * _e1506), _e1017);
+                                                                        let _e1663 = phi_2089_;
+                                                                        let _e1665 = select(_e1401, _e1663, (_e1663 < _e1401));
+                                                                        let _e1667 = select(_e1393, _e1665, (_e1665 > _e1393));
+                                                                        if (_e1667 >= _e615) {
+                                                                            let _e1669 = (_e1667 <= _e1152.member);
+                                                                            if _e1669 {
+                                                                                let _e1670 = (1f / _e1320);
+                                                                                phi_2112_ = type_28(_e1667, (_e1314 * _e1670), (_e1318 * _e1670), _e1181);
                                                                             } else {
-                                                                                phi_1891_ = type_28();
+                                                                                phi_2112_ = type_28();
                                                                             }
-                                                                            let _e1511 = phi_1891_;
-                                                                            phi_1893_ = _e1511;
-                                                                            phi_1894_ = select(true, false, _e1505);
+                                                                            let _e1675 = phi_2112_;
+                                                                            phi_2114_ = _e1675;
+                                                                            phi_2115_ = select(true, false, _e1669);
                                                                         } else {
-                                                                            phi_1893_ = type_28();
-                                                                            phi_1894_ = true;
+                                                                            phi_2114_ = type_28();
+                                                                            phi_2115_ = true;
                                                                         }
-                                                                        let _e1514 = phi_1893_;
-                                                                        let _e1516 = phi_1894_;
-                                                                        if _e1516 {
-                                                                            phi_1898_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1678 = phi_2114_;
+                                                                        let _e1680 = phi_2115_;
+                                                                        if _e1680 {
+                                                                            phi_2119_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1898_ = _e1514;
+                                                                            phi_2119_ = _e1678;
                                                                         }
-                                                                        let _e1518 = phi_1898_;
-                                                                        phi_1899_ = _e1518;
+                                                                        let _e1682 = phi_2119_;
+                                                                        phi_2120_ = _e1682;
                                                                     }
-                                                                    let _e1520 = phi_1899_;
-                                                                    phi_1900_ = _e1520;
-                                                                    phi_1901_ = _e1246;
+                                                                    let _e1684 = phi_2120_;
+                                                                    phi_2121_ = _e1684;
+                                                                    phi_2122_ = _e1410;
                                                                 }
-                                                                let _e1522 = phi_1900_;
-                                                                let _e1524 = phi_1901_;
-                                                                phi_1905_ = _e1522;
-                                                                phi_1906_ = _e1524;
+                                                                let _e1686 = phi_2121_;
+                                                                let _e1688 = phi_2122_;
+                                                                phi_2126_ = _e1686;
+                                                                phi_2127_ = _e1688;
                                                             }
-                                                            let _e1526 = phi_1905_;
-                                                            let _e1528 = phi_1906_;
-                                                            phi_1907_ = _e1526;
-                                                            phi_1908_ = _e1181;
-                                                            phi_1909_ = _e1528;
+                                                            let _e1690 = phi_2126_;
+                                                            let _e1692 = phi_2127_;
+                                                            phi_2128_ = _e1690;
+                                                            phi_2129_ = _e1345;
+                                                            phi_2130_ = _e1692;
                                                         }
-                                                        let _e1530 = phi_1907_;
-                                                        let _e1532 = phi_1908_;
-                                                        let _e1534 = phi_1909_;
-                                                        phi_1910_ = _e1530;
-                                                        phi_1911_ = _e1532;
-                                                        phi_1912_ = _e1534;
+                                                        let _e1694 = phi_2128_;
+                                                        let _e1696 = phi_2129_;
+                                                        let _e1698 = phi_2130_;
+                                                        phi_2131_ = _e1694;
+                                                        phi_2132_ = _e1696;
+                                                        phi_2133_ = _e1698;
                                                     }
-                                                    let _e1536 = phi_1910_;
-                                                    let _e1538 = phi_1911_;
-                                                    let _e1540 = phi_1912_;
-                                                    phi_1920_ = _e1536;
-                                                    phi_1921_ = select(_e1540, true, _e1538);
+                                                    let _e1700 = phi_2131_;
+                                                    let _e1702 = phi_2132_;
+                                                    let _e1704 = phi_2133_;
+                                                    phi_2141_ = _e1700;
+                                                    phi_2142_ = select(_e1704, true, _e1702);
                                                 } else {
-                                                    phi_1920_ = type_28();
-                                                    phi_1921_ = true;
+                                                    phi_2141_ = type_28();
+                                                    phi_2142_ = true;
                                                 }
-                                                let _e1543 = phi_1920_;
-                                                let _e1545 = phi_1921_;
-                                                if _e1545 {
-                                                    phi_1925_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1707 = phi_2141_;
+                                                let _e1709 = phi_2142_;
+                                                if _e1709 {
+                                                    phi_2146_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1925_ = _e1543;
+                                                    phi_2146_ = _e1707;
                                                 }
-                                                let _e1547 = phi_1925_;
-                                                if (_e1547.member_3 != 4294967295u) {
-                                                    if (_e1017 != 4294967295u) {
-                                                        phi_1936_ = type_42(_e988.member, true);
+                                                let _e1711 = phi_2146_;
+                                                if (_e1711.member_3 != 4294967295u) {
+                                                    if (_e1181 != 4294967295u) {
+                                                        phi_2157_ = type_42(_e1152.member, true);
                                                     } else {
-                                                        phi_1936_ = _e988;
+                                                        phi_2157_ = _e1152;
                                                     }
-                                                    let _e1555 = phi_1936_;
-                                                    phi_1937_ = _e1555;
+                                                    let _e1719 = phi_2157_;
+                                                    phi_2158_ = _e1719;
                                                 } else {
-                                                    phi_1937_ = _e988;
+                                                    phi_2158_ = _e1152;
                                                 }
-                                                let _e1557 = phi_1937_;
-                                                phi_950_ = _e1557;
+                                                let _e1721 = phi_2158_;
+                                                phi_1171_ = _e1721;
                                             } else {
-                                                phi_950_ = type_42();
+                                                phi_1171_ = type_42();
                                             }
-                                            let _e1559 = phi_950_;
+                                            let _e1723 = phi_1171_;
                                             continue;
                                             continuing {
-                                                phi_949_ = _e1559;
-                                                phi_952_ = _e1003;
-                                                phi_3376_ = _e499;
-                                                break if !(_e1009);
+                                                phi_1170_ = _e1723;
+                                                phi_1173_ = _e1167;
+                                                phi_3606_ = _e657;
+                                                break if !(_e1173);
                                             }
                                         }
-                                        let _e1562 = phi_3376_;
-                                        phi_3515_ = _e1562;
-                                        if _e1562 {
+                                        let _e1726 = phi_3606_;
+                                        phi_3763_ = _e1726;
+                                        if _e1726 {
                                             break;
                                         }
-                                        let _e1564 = local_10;
-                                        phi_3519_ = _e1562;
-                                        let _e1730 = local_12;
-                                        phi_3143_ = _e1730;
-                                        phi_3144_ = _e540;
-                                        phi_3145_ = false;
-                                        phi_3146_ = select(_e544, 0u, _e1564.member_1);
+                                        let _e1728 = local_10;
+                                        phi_3767_ = _e1726;
+                                        let _e1900 = local_12;
+                                        phi_3364_ = _e1900;
+                                        phi_3365_ = _e698;
+                                        phi_3366_ = false;
+                                        phi_3367_ = select(_e702, 0u, _e1728.member_1);
                                     } else {
-                                        if (_e540.member_1 >= _e87) {
-                                            phi_2699_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e698.member_1 >= _e90) {
+                                            phi_2920_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e540.member_1 < _e87) {
+                                            if (_e698.member_1 < _e90) {
                                             } else {
-                                                phi_3515_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e556 = ((1u + _e257) % 4u);
-                                            if (_e556 < 4u) {
+                                            let _e714 = ((1u + _e260) % 4u);
+                                            if (_e714 < 4u) {
                                             } else {
-                                                phi_3515_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e561 = global_4.member[_e540.member_1][_e556];
-                                            let _e563 = (_e561 >> bitcast<u32>(11u));
-                                            let _e565 = ((1u + _e256) % 4u);
-                                            if (_e565 < 4u) {
+                                            let _e719 = global_4.member[_e698.member_1][_e714];
+                                            let _e721 = (_e719 >> bitcast<u32>(11u));
+                                            let _e723 = ((1u + _e259) % 4u);
+                                            if (_e723 < 4u) {
                                             } else {
-                                                phi_3515_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e570 = global_4.member[_e540.member_1][_e565];
-                                            let _e572 = (_e570 >> bitcast<u32>(11u));
-                                            let _e574 = ((1u + _e258) % 4u);
-                                            if (_e574 < 4u) {
+                                            let _e728 = global_4.member[_e698.member_1][_e723];
+                                            let _e730 = (_e728 >> bitcast<u32>(11u));
+                                            let _e732 = ((1u + _e261) % 4u);
+                                            if (_e732 < 4u) {
                                             } else {
-                                                phi_3515_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e579 = global_4.member[_e540.member_1][_e574];
-                                            let _e581 = (_e579 >> bitcast<u32>(11u));
-                                            let _e604 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.x - _e540.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e605 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.y - _e540.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e606 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.z - _e540.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e608 = select(_e137, _e604, (_e604 > _e137));
-                                            let _e610 = select(_e137, _e605, (_e605 > _e137));
-                                            let _e612 = select(_e137, _e606, (_e606 > _e137));
-                                            let _e637 = bitcast<u32>((f32(bitcast<i32>((_e561 & 1023u))) * _e608));
-                                            let _e642 = (bitcast<i32>((_e561 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e645 = bitcast<f32>((_e637 & bitcast<u32>(_e642)));
-                                            let _e646 = bitcast<u32>((f32(bitcast<i32>((_e570 & 1023u))) * _e610));
-                                            let _e651 = (bitcast<i32>((_e570 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e654 = bitcast<f32>((_e646 & bitcast<u32>(_e651)));
-                                            let _e655 = bitcast<u32>((f32(bitcast<i32>((_e579 & 1023u))) * _e612));
-                                            let _e660 = (bitcast<i32>((_e579 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e663 = bitcast<f32>((_e655 & bitcast<u32>(_e660)));
-                                            let _e667 = bitcast<f32>((_e637 & bitcast<u32>(~(_e642))));
-                                            let _e671 = bitcast<f32>((_e646 & bitcast<u32>(~(_e651))));
-                                            let _e675 = bitcast<f32>((_e655 & bitcast<u32>(~(_e660))));
-                                            let _e676 = bitcast<u32>((f32(bitcast<i32>((_e563 & 1023u))) * _e608));
-                                            let _e681 = (bitcast<i32>((_e563 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e684 = bitcast<f32>((_e676 & bitcast<u32>(_e681)));
-                                            let _e685 = bitcast<u32>((f32(bitcast<i32>((_e572 & 1023u))) * _e610));
-                                            let _e690 = (bitcast<i32>((_e572 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e693 = bitcast<f32>((_e685 & bitcast<u32>(_e690)));
-                                            let _e694 = bitcast<u32>((f32(bitcast<i32>((_e581 & 1023u))) * _e612));
-                                            let _e699 = (bitcast<i32>((_e581 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e702 = bitcast<f32>((_e694 & bitcast<u32>(_e699)));
-                                            let _e706 = bitcast<f32>((_e676 & bitcast<u32>(~(_e681))));
-                                            let _e710 = bitcast<f32>((_e685 & bitcast<u32>(~(_e690))));
-                                            let _e714 = bitcast<f32>((_e694 & bitcast<u32>(~(_e699))));
-                                            let _e744 = global_4.member[_e540.member_1][0u];
-                                            let _e748 = global_4.member[_e540.member_1][1u];
-                                            let _e752 = global_4.member[_e540.member_1][2u];
-                                            let _e756 = global_4.member[_e540.member_1][3u];
-                                            let _e768 = (((_e748 >> bitcast<u32>(22i)) | ((_e752 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e756 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e769 = (_e744 & 268435455u);
-                                            let _e770 = (_e768 & 268435455u);
-                                            let _e773 = ((_e744 >> bitcast<u32>(28u)) & 7u);
-                                            let _e781 = ((_e744 >> bitcast<u32>(31i)) | (((_e768 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e782 = (_e773 != 0u);
-                                            if (_e773 == 0u) {
-                                                phi_2661_ = _e769;
+                                            let _e737 = global_4.member[_e698.member_1][_e732];
+                                            let _e739 = (_e737 >> bitcast<u32>(11u));
+                                            let _e762 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.x - _e698.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e763 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.y - _e698.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e764 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.z - _e698.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e766 = select(_e140, _e762, (_e762 > _e140));
+                                            let _e768 = select(_e140, _e763, (_e763 > _e140));
+                                            let _e770 = select(_e140, _e764, (_e764 > _e140));
+                                            let _e801 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e719 & 1023u))) - 8388608f) * _e766));
+                                            let _e806 = (bitcast<i32>((_e719 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e809 = bitcast<f32>((_e801 & bitcast<u32>(_e806)));
+                                            let _e810 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e728 & 1023u))) - 8388608f) * _e768));
+                                            let _e815 = (bitcast<i32>((_e728 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e818 = bitcast<f32>((_e810 & bitcast<u32>(_e815)));
+                                            let _e819 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e737 & 1023u))) - 8388608f) * _e770));
+                                            let _e824 = (bitcast<i32>((_e737 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e827 = bitcast<f32>((_e819 & bitcast<u32>(_e824)));
+                                            let _e831 = bitcast<f32>((_e801 & bitcast<u32>(~(_e806))));
+                                            let _e835 = bitcast<f32>((_e810 & bitcast<u32>(~(_e815))));
+                                            let _e839 = bitcast<f32>((_e819 & bitcast<u32>(~(_e824))));
+                                            let _e840 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e721 & 1023u))) - 8388608f) * _e766));
+                                            let _e845 = (bitcast<i32>((_e721 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e848 = bitcast<f32>((_e840 & bitcast<u32>(_e845)));
+                                            let _e849 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 1023u))) - 8388608f) * _e768));
+                                            let _e854 = (bitcast<i32>((_e730 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e857 = bitcast<f32>((_e849 & bitcast<u32>(_e854)));
+                                            let _e858 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e739 & 1023u))) - 8388608f) * _e770));
+                                            let _e863 = (bitcast<i32>((_e739 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e866 = bitcast<f32>((_e858 & bitcast<u32>(_e863)));
+                                            let _e870 = bitcast<f32>((_e840 & bitcast<u32>(~(_e845))));
+                                            let _e874 = bitcast<f32>((_e849 & bitcast<u32>(~(_e854))));
+                                            let _e878 = bitcast<f32>((_e858 & bitcast<u32>(~(_e863))));
+                                            let _e908 = global_4.member[_e698.member_1][0u];
+                                            let _e912 = global_4.member[_e698.member_1][1u];
+                                            let _e916 = global_4.member[_e698.member_1][2u];
+                                            let _e920 = global_4.member[_e698.member_1][3u];
+                                            let _e932 = (((_e912 >> bitcast<u32>(22i)) | ((_e916 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e920 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e933 = (_e908 & 268435455u);
+                                            let _e934 = (_e932 & 268435455u);
+                                            let _e937 = ((_e908 >> bitcast<u32>(28u)) & 7u);
+                                            let _e945 = ((_e908 >> bitcast<u32>(31i)) | (((_e932 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e946 = (_e937 != 0u);
+                                            if (_e937 == 0u) {
+                                                phi_2882_ = _e933;
                                             } else {
-                                                if (_e773 == 7u) {
-                                                    phi_2660_ = 2147483648u;
+                                                if (_e937 == 7u) {
+                                                    phi_2881_ = 2147483648u;
                                                 } else {
-                                                    phi_2660_ = ((2147483648u | (_e773 << bitcast<u32>(28u))) | (_e770 & 268435455u));
+                                                    phi_2881_ = ((2147483648u | (_e937 << bitcast<u32>(28u))) | (_e934 & 268435455u));
                                                 }
-                                                let _e791 = phi_2660_;
-                                                phi_2661_ = _e791;
+                                                let _e955 = phi_2881_;
+                                                phi_2882_ = _e955;
                                             }
-                                            let _e793 = phi_2661_;
-                                            if _e782 {
-                                                let _e794 = (_e773 != 7u);
-                                                if _e794 {
-                                                    phi_2671_ = (_e770 + _e773);
+                                            let _e957 = phi_2882_;
+                                            if _e946 {
+                                                let _e958 = (_e937 != 7u);
+                                                if _e958 {
+                                                    phi_2892_ = (_e934 + _e937);
                                                 } else {
-                                                    phi_2671_ = u32();
+                                                    phi_2892_ = u32();
                                                 }
-                                                let _e797 = phi_2671_;
-                                                phi_2673_ = _e797;
-                                                phi_2674_ = select(true, false, _e794);
+                                                let _e961 = phi_2892_;
+                                                phi_2894_ = _e961;
+                                                phi_2895_ = select(true, false, _e958);
                                             } else {
-                                                phi_2673_ = u32();
-                                                phi_2674_ = true;
+                                                phi_2894_ = u32();
+                                                phi_2895_ = true;
                                             }
-                                            let _e800 = phi_2673_;
-                                            let _e802 = phi_2674_;
-                                            if (_e781 == 0u) {
-                                                phi_2695_ = (_e769 + select(0u, 1u, !(_e782)));
+                                            let _e964 = phi_2894_;
+                                            let _e966 = phi_2895_;
+                                            if (_e945 == 0u) {
+                                                phi_2916_ = (_e933 + select(0u, 1u, !(_e946)));
                                             } else {
-                                                if (_e781 == 7u) {
-                                                    phi_2694_ = 2147483648u;
+                                                if (_e945 == 7u) {
+                                                    phi_2915_ = 2147483648u;
                                                 } else {
-                                                    phi_2694_ = ((2147483648u | (_e781 << bitcast<u32>(28u))) | (select(_e800, _e770, _e802) & 268435455u));
+                                                    phi_2915_ = ((2147483648u | (_e945 << bitcast<u32>(28u))) | (select(_e964, _e934, _e966) & 268435455u));
                                                 }
-                                                let _e815 = phi_2694_;
-                                                phi_2695_ = _e815;
+                                                let _e979 = phi_2915_;
+                                                phi_2916_ = _e979;
                                             }
-                                            let _e817 = phi_2695_;
-                                            phi_2699_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e540.member.member.x + _e645), (_e540.member.member.x + _e667), (_e540.member.member_1.x - _e684), (_e540.member.member_1.x - _e706)), vec4<f32>((_e540.member.member.y + _e654), (_e540.member.member.y + _e671), (_e540.member.member_1.y - _e693), (_e540.member.member_1.y - _e710)), vec4<f32>((_e540.member.member.z + _e663), (_e540.member.member.z + _e675), (_e540.member.member_1.z - _e702), (_e540.member.member_1.z - _e714))), type_49(type_32((_e540.member.member + vec4<f32>(_e645, _e654, _e663, 0f)), (_e540.member.member_1 - vec4<f32>(_e684, _e693, _e702, 0f))), _e793), type_49(type_32((_e540.member.member + vec4<f32>(_e667, _e671, _e675, 0f)), (_e540.member.member_1 - vec4<f32>(_e706, _e710, _e714, 0f))), _e817));
+                                            let _e981 = phi_2916_;
+                                            phi_2920_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e698.member.member.x + _e809), (_e698.member.member.x + _e831), (_e698.member.member_1.x - _e848), (_e698.member.member_1.x - _e870)), vec4<f32>((_e698.member.member.y + _e818), (_e698.member.member.y + _e835), (_e698.member.member_1.y - _e857), (_e698.member.member_1.y - _e874)), vec4<f32>((_e698.member.member.z + _e827), (_e698.member.member.z + _e839), (_e698.member.member_1.z - _e866), (_e698.member.member_1.z - _e878))), type_49(type_32((_e698.member.member + vec4<f32>(_e809, _e818, _e827, 0f)), (_e698.member.member_1 - vec4<f32>(_e848, _e857, _e866, 0f))), _e957), type_49(type_32((_e698.member.member + vec4<f32>(_e831, _e835, _e839, 0f)), (_e698.member.member_1 - vec4<f32>(_e870, _e874, _e878, 0f))), _e981));
                                         }
-                                        let _e822 = phi_2699_;
-                                        let _e834 = ((_e822.member[0].x - _e329) * _e334);
-                                        let _e835 = ((_e822.member[0].y - _e329) * _e334);
-                                        let _e836 = ((_e822.member[0].z - _e330) * _e334);
-                                        let _e837 = ((_e822.member[0].w - _e330) * _e334);
-                                        let _e847 = ((_e822.member[1].x - _e367) * _e372);
-                                        let _e848 = ((_e822.member[1].y - _e367) * _e372);
-                                        let _e849 = ((_e822.member[1].z - _e368) * _e372);
-                                        let _e850 = ((_e822.member[1].w - _e368) * _e372);
-                                        let _e860 = ((_e822.member[2].x - _e405) * _e410);
-                                        let _e861 = ((_e822.member[2].y - _e405) * _e410);
-                                        let _e862 = ((_e822.member[2].z - _e406) * _e410);
-                                        let _e863 = ((_e822.member[2].w - _e406) * _e410);
-                                        let _e865 = select(_e862, _e860, (_e860 < _e862));
-                                        let _e867 = select(_e863, _e861, (_e861 < _e863));
-                                        let _e869 = select(_e862, _e860, (_e860 > _e862));
-                                        let _e871 = select(_e863, _e861, (_e861 > _e863));
-                                        let _e873 = select(_e836, _e834, (_e834 < _e836));
-                                        let _e875 = select(_e837, _e835, (_e835 < _e837));
-                                        let _e877 = select(_e849, _e847, (_e847 < _e849));
-                                        let _e879 = select(_e850, _e848, (_e848 < _e850));
-                                        let _e881 = select(_e877, _e873, (_e873 > _e877));
-                                        let _e883 = select(_e879, _e875, (_e875 > _e879));
-                                        let _e885 = select(_e865, _e881, (_e881 > _e865));
-                                        let _e887 = select(_e867, _e883, (_e883 > _e867));
-                                        let _e889 = select(_e836, _e834, (_e834 > _e836));
-                                        let _e891 = select(_e837, _e835, (_e835 > _e837));
-                                        let _e893 = select(_e849, _e847, (_e847 > _e849));
-                                        let _e895 = select(_e850, _e848, (_e848 > _e850));
-                                        let _e897 = select(_e893, _e889, (_e889 < _e893));
-                                        let _e899 = select(_e895, _e891, (_e891 < _e895));
-                                        let _e904 = -(_e865);
-                                        let _e905 = -(_e867);
-                                        let _e912 = (select(_e869, _e897, (_e897 < _e869)) + (select(_e904, _e869, (_e869 > _e904)) * 0.0000019073523f));
-                                        let _e913 = (select(_e871, _e899, (_e899 < _e871)) + (select(_e905, _e871, (_e871 > _e905)) * 0.0000019073523f));
-                                        let _e915 = select(_e457, _e885, (_e885 > _e457));
-                                        let _e917 = select(_e457, _e887, (_e887 > _e457));
-                                        let _e922 = (_e915 <= select(_e501.member, _e912, (_e912 < _e501.member)));
-                                        let _e923 = (_e917 <= select(_e501.member, _e913, (_e913 < _e501.member)));
-                                        let _e924 = (_e915 <= _e917);
-                                        if _e922 {
-                                            if _e923 {
-                                                if _e924 {
-                                                    phi_3043_ = _e822.member_2;
+                                        let _e986 = phi_2920_;
+                                        let _e998 = ((_e986.member[0].x - _e362) * _e367);
+                                        let _e999 = ((_e986.member[0].y - _e362) * _e367);
+                                        let _e1000 = ((_e986.member[0].z - _e363) * _e367);
+                                        let _e1001 = ((_e986.member[0].w - _e363) * _e367);
+                                        let _e1011 = ((_e986.member[1].x - _e430) * _e435);
+                                        let _e1012 = ((_e986.member[1].y - _e430) * _e435);
+                                        let _e1013 = ((_e986.member[1].z - _e431) * _e435);
+                                        let _e1014 = ((_e986.member[1].w - _e431) * _e435);
+                                        let _e1024 = ((_e986.member[2].x - _e498) * _e503);
+                                        let _e1025 = ((_e986.member[2].y - _e498) * _e503);
+                                        let _e1026 = ((_e986.member[2].z - _e499) * _e503);
+                                        let _e1027 = ((_e986.member[2].w - _e499) * _e503);
+                                        let _e1029 = select(_e1026, _e1024, (_e1024 < _e1026));
+                                        let _e1031 = select(_e1027, _e1025, (_e1025 < _e1027));
+                                        let _e1033 = select(_e1026, _e1024, (_e1024 > _e1026));
+                                        let _e1035 = select(_e1027, _e1025, (_e1025 > _e1027));
+                                        let _e1037 = select(_e1000, _e998, (_e998 < _e1000));
+                                        let _e1039 = select(_e1001, _e999, (_e999 < _e1001));
+                                        let _e1041 = select(_e1013, _e1011, (_e1011 < _e1013));
+                                        let _e1043 = select(_e1014, _e1012, (_e1012 < _e1014));
+                                        let _e1045 = select(_e1041, _e1037, (_e1037 > _e1041));
+                                        let _e1047 = select(_e1043, _e1039, (_e1039 > _e1043));
+                                        let _e1049 = select(_e1029, _e1045, (_e1045 > _e1029));
+                                        let _e1051 = select(_e1031, _e1047, (_e1047 > _e1031));
+                                        let _e1053 = select(_e1000, _e998, (_e998 > _e1000));
+                                        let _e1055 = select(_e1001, _e999, (_e999 > _e1001));
+                                        let _e1057 = select(_e1013, _e1011, (_e1011 > _e1013));
+                                        let _e1059 = select(_e1014, _e1012, (_e1012 > _e1014));
+                                        let _e1061 = select(_e1057, _e1053, (_e1053 < _e1057));
+                                        let _e1063 = select(_e1059, _e1055, (_e1055 < _e1059));
+                                        let _e1068 = -(_e1029);
+                                        let _e1069 = -(_e1031);
+                                        let _e1076 = (select(_e1033, _e1061, (_e1061 < _e1033)) + (select(_e1068, _e1033, (_e1033 > _e1068)) * 0.0000019073523f));
+                                        let _e1077 = (select(_e1035, _e1063, (_e1063 < _e1035)) + (select(_e1069, _e1035, (_e1035 > _e1069)) * 0.0000019073523f));
+                                        let _e1079 = select(_e615, _e1049, (_e1049 > _e615));
+                                        let _e1081 = select(_e615, _e1051, (_e1051 > _e615));
+                                        let _e1086 = (_e1079 <= select(_e659.member, _e1076, (_e1076 < _e659.member)));
+                                        let _e1087 = (_e1081 <= select(_e659.member, _e1077, (_e1077 < _e659.member)));
+                                        let _e1088 = (_e1079 <= _e1081);
+                                        if _e1086 {
+                                            if _e1087 {
+                                                if _e1088 {
+                                                    phi_3264_ = _e986.member_2;
                                                 } else {
-                                                    phi_3043_ = _e822.member_1;
+                                                    phi_3264_ = _e986.member_1;
                                                 }
-                                                let _e928 = phi_3043_;
-                                                let _e950 = (_e544 % 128u);
-                                                let _e951 = (_e950 < 128u);
-                                                if _e951 {
+                                                let _e1092 = phi_3264_;
+                                                let _e1114 = (_e702 % 128u);
+                                                let _e1115 = (_e1114 < 128u);
+                                                if _e1115 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_8[_e950] = _e928.member_1;
-                                                if _e951 {
+                                                local_8[_e1114] = _e1092.member_1;
+                                                if _e1115 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_7[_e950] = _e928.member.member.x;
-                                                if _e951 {
+                                                local_7[_e1114] = _e1092.member.member.x;
+                                                if _e1115 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_6[_e950] = _e928.member.member.y;
-                                                if _e951 {
+                                                local_6[_e1114] = _e1092.member.member.y;
+                                                if _e1115 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_5[_e950] = _e928.member.member.z;
-                                                if _e951 {
+                                                local_5[_e1114] = _e1092.member.member.z;
+                                                if _e1115 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_4[_e950] = _e928.member.member_1.x;
-                                                if _e951 {
+                                                local_4[_e1114] = _e1092.member.member_1.x;
+                                                if _e1115 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_3[_e950] = _e928.member.member_1.y;
-                                                if _e951 {
+                                                local_3[_e1114] = _e1092.member.member_1.y;
+                                                if _e1115 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_2[_e950] = _e928.member.member_1.z;
-                                                if _e951 {
+                                                local_2[_e1114] = _e1092.member.member_1.z;
+                                                if _e1115 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_9[_e950] = select(_e917, _e915, (_e915 > _e917));
-                                                if _e924 {
-                                                    phi_3120_ = _e822.member_1;
+                                                local_9[_e1114] = select(_e1081, _e1079, (_e1079 > _e1081));
+                                                if _e1088 {
+                                                    phi_3341_ = _e986.member_1;
                                                 } else {
-                                                    phi_3120_ = _e822.member_2;
+                                                    phi_3341_ = _e986.member_2;
                                                 }
-                                                let _e964 = phi_3120_;
-                                                phi_3121_ = _e964;
-                                                phi_3122_ = (_e544 + 1u);
+                                                let _e1128 = phi_3341_;
+                                                phi_3342_ = _e1128;
+                                                phi_3343_ = (_e702 + 1u);
                                             } else {
-                                                phi_3121_ = type_49();
-                                                phi_3122_ = u32();
+                                                phi_3342_ = type_49();
+                                                phi_3343_ = u32();
                                             }
-                                            let _e966 = phi_3121_;
-                                            let _e968 = phi_3122_;
-                                            phi_3124_ = _e966;
-                                            phi_3125_ = _e968;
-                                            phi_3126_ = select(true, false, _e923);
+                                            let _e1130 = phi_3342_;
+                                            let _e1132 = phi_3343_;
+                                            phi_3345_ = _e1130;
+                                            phi_3346_ = _e1132;
+                                            phi_3347_ = select(true, false, _e1087);
                                         } else {
-                                            phi_3124_ = type_49();
-                                            phi_3125_ = u32();
-                                            phi_3126_ = true;
+                                            phi_3345_ = type_49();
+                                            phi_3346_ = u32();
+                                            phi_3347_ = true;
                                         }
-                                        let _e971 = phi_3124_;
-                                        let _e973 = phi_3125_;
-                                        let _e975 = phi_3126_;
-                                        if _e975 {
-                                            if _e922 {
-                                                phi_3135_ = _e822.member_1;
+                                        let _e1135 = phi_3345_;
+                                        let _e1137 = phi_3346_;
+                                        let _e1139 = phi_3347_;
+                                        if _e1139 {
+                                            if _e1086 {
+                                                phi_3356_ = _e986.member_1;
                                             } else {
-                                                phi_3135_ = _e822.member_2;
+                                                phi_3356_ = _e986.member_2;
                                             }
-                                            let _e979 = phi_3135_;
-                                            phi_3140_ = _e979;
-                                            phi_3141_ = select(_e923, true, _e922);
+                                            let _e1143 = phi_3356_;
+                                            phi_3361_ = _e1143;
+                                            phi_3362_ = select(_e1087, true, _e1086);
                                         } else {
-                                            phi_3140_ = _e971;
-                                            phi_3141_ = _e542;
+                                            phi_3361_ = _e1135;
+                                            phi_3362_ = _e700;
                                         }
-                                        let _e982 = phi_3140_;
-                                        let _e984 = phi_3141_;
-                                        phi_3519_ = _e499;
-                                        phi_3143_ = _e501;
-                                        phi_3144_ = _e982;
-                                        phi_3145_ = _e984;
-                                        phi_3146_ = select(_e973, _e544, _e975);
+                                        let _e1146 = phi_3361_;
+                                        let _e1148 = phi_3362_;
+                                        phi_3767_ = _e657;
+                                        phi_3364_ = _e659;
+                                        phi_3365_ = _e1146;
+                                        phi_3366_ = _e1148;
+                                        phi_3367_ = select(_e1137, _e702, _e1139);
                                     }
-                                    let _e1568 = phi_3519_;
-                                    let _e1570 = phi_3143_;
-                                    let _e1572 = phi_3144_;
-                                    let _e1574 = phi_3145_;
-                                    let _e1576 = phi_3146_;
-                                    phi_3518_ = _e1568;
-                                    phi_3147_ = _e1570;
-                                    phi_3148_ = _e1572;
-                                    phi_3149_ = (_e505 - 1u);
-                                    phi_3150_ = _e1574;
-                                    phi_3151_ = _e1576;
+                                    let _e1732 = phi_3767_;
+                                    let _e1734 = phi_3364_;
+                                    let _e1736 = phi_3365_;
+                                    let _e1738 = phi_3366_;
+                                    let _e1740 = phi_3367_;
+                                    phi_3766_ = _e1732;
+                                    phi_3368_ = _e1734;
+                                    phi_3369_ = _e1736;
+                                    phi_3370_ = (_e663 - 1u);
+                                    phi_3371_ = _e1738;
+                                    phi_3372_ = _e1740;
                                 } else {
-                                    phi_3518_ = _e499;
-                                    phi_3147_ = _e501;
-                                    phi_3148_ = _e540;
-                                    phi_3149_ = _e505;
-                                    phi_3150_ = _e542;
-                                    phi_3151_ = _e544;
+                                    phi_3766_ = _e657;
+                                    phi_3368_ = _e659;
+                                    phi_3369_ = _e698;
+                                    phi_3370_ = _e663;
+                                    phi_3371_ = _e700;
+                                    phi_3372_ = _e702;
                                 }
-                                let _e1578 = phi_3518_;
-                                let _e1580 = phi_3147_;
-                                let _e1582 = phi_3148_;
-                                let _e1584 = phi_3149_;
-                                let _e1586 = phi_3150_;
-                                let _e1588 = phi_3151_;
-                                phi_3517_ = _e1578;
-                                phi_3152_ = _e1580;
-                                phi_3153_ = _e1582;
-                                phi_3154_ = _e1584;
-                                phi_3155_ = _e1586;
-                                phi_3156_ = _e1588;
+                                let _e1742 = phi_3766_;
+                                let _e1744 = phi_3368_;
+                                let _e1746 = phi_3369_;
+                                let _e1748 = phi_3370_;
+                                let _e1750 = phi_3371_;
+                                let _e1752 = phi_3372_;
+                                phi_3765_ = _e1742;
+                                phi_3373_ = _e1744;
+                                phi_3374_ = _e1746;
+                                phi_3375_ = _e1748;
+                                phi_3376_ = _e1750;
+                                phi_3377_ = _e1752;
                             } else {
-                                phi_3517_ = _e499;
-                                phi_3152_ = type_42();
-                                phi_3153_ = type_49();
-                                phi_3154_ = u32();
-                                phi_3155_ = bool();
-                                phi_3156_ = u32();
+                                phi_3765_ = _e657;
+                                phi_3373_ = type_42();
+                                phi_3374_ = type_49();
+                                phi_3375_ = u32();
+                                phi_3376_ = bool();
+                                phi_3377_ = u32();
                             }
-                            let _e1590 = phi_3517_;
-                            let _e1592 = phi_3152_;
-                            let _e1594 = phi_3153_;
-                            let _e1596 = phi_3154_;
-                            let _e1598 = phi_3155_;
-                            let _e1600 = phi_3156_;
-                            phi_3516_ = _e1590;
-                            phi_824_ = _e1592;
-                            phi_827_ = _e1594;
-                            phi_829_ = _e1596;
-                            phi_831_ = _e1598;
-                            phi_833_ = _e1600;
-                            phi_3157_ = _e513;
+                            let _e1754 = phi_3765_;
+                            let _e1756 = phi_3373_;
+                            let _e1758 = phi_3374_;
+                            let _e1760 = phi_3375_;
+                            let _e1762 = phi_3376_;
+                            let _e1764 = phi_3377_;
+                            phi_3764_ = _e1754;
+                            phi_1045_ = _e1756;
+                            phi_1048_ = _e1758;
+                            phi_1050_ = _e1760;
+                            phi_1052_ = _e1762;
+                            phi_1054_ = _e1764;
+                            phi_3378_ = _e671;
                         } else {
-                            phi_3516_ = _e499;
-                            phi_824_ = type_42();
-                            phi_827_ = type_49();
-                            phi_829_ = u32();
-                            phi_831_ = bool();
-                            phi_833_ = u32();
-                            phi_3157_ = false;
+                            phi_3764_ = _e657;
+                            phi_1045_ = type_42();
+                            phi_1048_ = type_49();
+                            phi_1050_ = u32();
+                            phi_1052_ = bool();
+                            phi_1054_ = u32();
+                            phi_3378_ = false;
                         }
-                        let _e1602 = phi_3516_;
-                        let _e1604 = phi_824_;
-                        let _e1606 = phi_827_;
-                        let _e1608 = phi_829_;
-                        let _e1610 = phi_831_;
-                        let _e1612 = phi_833_;
-                        let _e1614 = phi_3157_;
+                        let _e1766 = phi_3764_;
+                        let _e1768 = phi_1045_;
+                        let _e1770 = phi_1048_;
+                        let _e1772 = phi_1050_;
+                        let _e1774 = phi_1052_;
+                        let _e1776 = phi_1054_;
+                        let _e1778 = phi_3378_;
                         continue;
                         continuing {
-                            phi_3382_ = _e1602;
-                            phi_823_ = _e1604;
-                            phi_826_ = _e1606;
-                            phi_828_ = _e1608;
-                            phi_830_ = _e1610;
-                            phi_832_ = _e1612;
-                            phi_3515_ = _e1602;
-                            break if !(_e1614);
+                            phi_3612_ = _e1766;
+                            phi_1044_ = _e1768;
+                            phi_1047_ = _e1770;
+                            phi_1049_ = _e1772;
+                            phi_1051_ = _e1774;
+                            phi_1053_ = _e1776;
+                            phi_3763_ = _e1766;
+                            break if !(_e1778);
                         }
                     }
-                    let _e1617 = phi_3515_;
-                    if _e1617 {
+                    let _e1781 = phi_3763_;
+                    if _e1781 {
                         break;
                     }
-                    let _e1619 = local_11;
-                    if _e145 {
+                    let _e1783 = local_11;
+                    if _e148 {
                     } else {
                         break;
                     }
-                    global_6.member[_e143] = select(0u, 1u, _e1619.member_1);
+                    global_6.member[_e146] = select(0u, 1u, _e1783.member_1);
                 }
             }
             break;

@@ -92,401 +92,461 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_365_: i32;
     var phi_366_: i32;
-    var phi_376_: bool;
-    var phi_386_: u32;
+    var phi_367_: i32;
+    var phi_377_: bool;
     var phi_387_: u32;
-    var phi_389_: bool;
-    var phi_394_: u32;
-    var phi_406_: i32;
-    var phi_426_: i32;
-    var phi_444_: f32;
-    var phi_450_: f32;
-    var phi_461_: f32;
-    var phi_467_: f32;
-    var phi_490_: f32;
-    var phi_501_: f32;
-    var phi_510_: f32;
-    var phi_516_: f32;
-    var phi_527_: f32;
-    var phi_533_: f32;
-    var phi_556_: f32;
-    var phi_567_: f32;
-    var phi_576_: f32;
-    var phi_582_: f32;
-    var phi_593_: f32;
-    var phi_599_: f32;
-    var phi_622_: f32;
-    var phi_633_: f32;
-    var phi_733_: f32;
-    var phi_734_: f32;
-    var phi_3382_: bool;
-    var phi_823_: type_38;
-    var phi_826_: type_49;
-    var phi_828_: u32;
-    var phi_830_: bool;
-    var phi_832_: u32;
-    var phi_843_: bool;
-    var phi_929_: type_49;
-    var phi_930_: bool;
-    var phi_931_: u32;
-    var phi_2660_: u32;
-    var phi_2661_: u32;
-    var phi_2671_: u32;
-    var phi_2673_: u32;
-    var phi_2674_: bool;
-    var phi_2694_: u32;
-    var phi_2695_: u32;
-    var phi_2699_: type_50;
-    var phi_3043_: type_49;
-    var phi_3120_: type_49;
-    var phi_3121_: type_49;
-    var phi_3122_: u32;
-    var phi_3124_: type_49;
-    var phi_3125_: u32;
-    var phi_3126_: bool;
-    var phi_3135_: type_49;
-    var phi_3140_: type_49;
-    var phi_3141_: bool;
-    var phi_949_: type_38;
-    var phi_952_: type_7;
-    var phi_953_: type_7;
-    var phi_975_: type_7;
-    var phi_996_: u32;
-    var phi_1085_: array<array<f32, 3>, 3>;
-    var phi_1202_: bool;
-    var phi_1231_: bool;
-    var phi_1632_: f32;
-    var phi_1633_: f32;
-    var phi_1634_: f32;
-    var phi_1635_: f32;
-    var phi_1636_: vec3<f32>;
-    var phi_1637_: vec3<f32>;
-    var phi_1638_: vec3<f32>;
-    var phi_1639_: vec3<f32>;
-    var phi_1670_: bool;
-    var phi_1679_: vec3<f32>;
-    var phi_1844_: f32;
-    var phi_1846_: f32;
-    var phi_1847_: bool;
-    var phi_1867_: f32;
-    var phi_1868_: f32;
-    var phi_1891_: type_24;
-    var phi_1893_: type_24;
-    var phi_1894_: bool;
-    var phi_1898_: type_24;
-    var phi_1899_: type_24;
-    var phi_1900_: type_24;
-    var phi_1901_: bool;
-    var phi_1905_: type_24;
-    var phi_1906_: bool;
-    var phi_1907_: type_24;
-    var phi_1908_: bool;
-    var phi_1909_: bool;
-    var phi_1910_: type_24;
-    var phi_1911_: bool;
-    var phi_1912_: bool;
-    var phi_1920_: type_24;
-    var phi_1921_: bool;
-    var phi_1925_: type_24;
-    var phi_1936_: type_38;
-    var phi_1937_: type_38;
-    var phi_950_: type_38;
-    var phi_3376_: bool;
+    var phi_388_: u32;
+    var phi_390_: bool;
+    var phi_395_: u32;
+    var phi_407_: i32;
+    var phi_427_: i32;
+    var phi_445_: f32;
+    var phi_451_: f32;
+    var phi_491_: f32;
+    var phi_497_: f32;
+    var phi_549_: f32;
+    var phi_560_: f32;
+    var phi_569_: f32;
+    var phi_575_: f32;
+    var phi_615_: f32;
+    var phi_621_: f32;
+    var phi_673_: f32;
+    var phi_684_: f32;
+    var phi_693_: f32;
+    var phi_699_: f32;
+    var phi_739_: f32;
+    var phi_745_: f32;
+    var phi_797_: f32;
+    var phi_808_: f32;
+    var phi_863_: i32;
+    var phi_885_: u32;
+    var phi_886_: u32;
+    var phi_923_: i32;
+    var phi_945_: u32;
+    var phi_946_: u32;
+    var phi_954_: f32;
+    var phi_955_: f32;
+    var phi_3612_: bool;
+    var phi_1044_: type_38;
+    var phi_1047_: type_49;
+    var phi_1049_: u32;
+    var phi_1051_: bool;
+    var phi_1053_: u32;
+    var phi_1064_: bool;
+    var phi_1150_: type_49;
+    var phi_1151_: bool;
+    var phi_1152_: u32;
+    var phi_2881_: u32;
+    var phi_2882_: u32;
+    var phi_2892_: u32;
+    var phi_2894_: u32;
+    var phi_2895_: bool;
+    var phi_2915_: u32;
+    var phi_2916_: u32;
+    var phi_2920_: type_50;
+    var phi_3264_: type_49;
+    var phi_3341_: type_49;
+    var phi_3342_: type_49;
+    var phi_3343_: u32;
+    var phi_3345_: type_49;
+    var phi_3346_: u32;
+    var phi_3347_: bool;
+    var phi_3356_: type_49;
+    var phi_3361_: type_49;
+    var phi_3362_: bool;
+    var phi_1170_: type_38;
+    var phi_1173_: type_7;
+    var phi_1174_: type_7;
+    var phi_1196_: type_7;
+    var phi_1217_: u32;
+    var phi_1306_: array<array<f32, 3>, 3>;
+    var phi_1423_: bool;
+    var phi_1452_: bool;
+    var phi_1853_: f32;
+    var phi_1854_: f32;
+    var phi_1855_: f32;
+    var phi_1856_: f32;
+    var phi_1857_: vec3<f32>;
+    var phi_1858_: vec3<f32>;
+    var phi_1859_: vec3<f32>;
+    var phi_1860_: vec3<f32>;
+    var phi_1891_: bool;
+    var phi_1900_: vec3<f32>;
+    var phi_2065_: f32;
+    var phi_2067_: f32;
+    var phi_2068_: bool;
+    var phi_2088_: f32;
+    var phi_2089_: f32;
+    var phi_2112_: type_24;
+    var phi_2114_: type_24;
+    var phi_2115_: bool;
+    var phi_2119_: type_24;
+    var phi_2120_: type_24;
+    var phi_2121_: type_24;
+    var phi_2122_: bool;
+    var phi_2126_: type_24;
+    var phi_2127_: bool;
+    var phi_2128_: type_24;
+    var phi_2129_: bool;
+    var phi_2130_: bool;
+    var phi_2131_: type_24;
+    var phi_2132_: bool;
+    var phi_2133_: bool;
+    var phi_2141_: type_24;
+    var phi_2142_: bool;
+    var phi_2146_: type_24;
+    var phi_2157_: type_38;
+    var phi_2158_: type_38;
+    var phi_1171_: type_38;
+    var phi_3606_: bool;
     var local_10: type_38;
-    var phi_3519_: bool;
-    var phi_3143_: type_38;
-    var phi_3144_: type_49;
-    var phi_3145_: bool;
-    var phi_3146_: u32;
-    var phi_3518_: bool;
-    var phi_3147_: type_38;
-    var phi_3148_: type_49;
-    var phi_3149_: u32;
-    var phi_3150_: bool;
-    var phi_3151_: u32;
-    var phi_3517_: bool;
-    var phi_3152_: type_38;
-    var phi_3153_: type_49;
-    var phi_3154_: u32;
-    var phi_3155_: bool;
-    var phi_3156_: u32;
-    var phi_3516_: bool;
-    var phi_824_: type_38;
-    var phi_827_: type_49;
-    var phi_829_: u32;
-    var phi_831_: bool;
-    var phi_833_: u32;
-    var phi_3157_: bool;
-    var phi_3515_: bool;
+    var phi_3767_: bool;
+    var phi_3364_: type_38;
+    var phi_3365_: type_49;
+    var phi_3366_: bool;
+    var phi_3367_: u32;
+    var phi_3766_: bool;
+    var phi_3368_: type_38;
+    var phi_3369_: type_49;
+    var phi_3370_: u32;
+    var phi_3371_: bool;
+    var phi_3372_: u32;
+    var phi_3765_: bool;
+    var phi_3373_: type_38;
+    var phi_3374_: type_49;
+    var phi_3375_: u32;
+    var phi_3376_: bool;
+    var phi_3377_: u32;
+    var phi_3764_: bool;
+    var phi_1045_: type_38;
+    var phi_1048_: type_49;
+    var phi_1050_: u32;
+    var phi_1052_: bool;
+    var phi_1054_: u32;
+    var phi_3378_: bool;
+    var phi_3763_: bool;
     var local_11: type_38;
     var local_12: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e83 = global;
-            let _e85 = arrayLength((&global_6.member));
-            let _e87 = arrayLength((&global_2.member));
-            let _e95 = global_3.member[0u][0u];
-            let _e99 = global_3.member[0u][1u];
-            let _e103 = global_3.member[0u][2u];
-            let _e107 = global_3.member[0u][3u];
-            let _e111 = global_3.member[1u][0u];
-            let _e115 = global_3.member[1u][1u];
-            let _e119 = global_3.member[1u][2u];
-            let _e122 = global_1.member[0u];
-            let _e123 = bitcast<i32>(_e122);
-            let _e135 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e107) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e95), bitcast<i32>(_e99), bitcast<i32>(_e103));
-            local = array<i32, 3>(bitcast<i32>(_e111), bitcast<i32>(_e115), bitcast<i32>(_e119));
-            let _e141 = (_e83.x + (_e83.y * 2097152u));
-            let _e142 = (_e141 < arrayLength((&global_4.member)));
-            if _e142 {
-                let _e143 = (_e141 < arrayLength((&global_5.member)));
-                if _e143 {
-                    if _e142 {
+            let _e86 = global;
+            let _e88 = arrayLength((&global_6.member));
+            let _e90 = arrayLength((&global_2.member));
+            let _e98 = global_3.member[0u][0u];
+            let _e102 = global_3.member[0u][1u];
+            let _e106 = global_3.member[0u][2u];
+            let _e110 = global_3.member[0u][3u];
+            let _e114 = global_3.member[1u][0u];
+            let _e118 = global_3.member[1u][1u];
+            let _e122 = global_3.member[1u][2u];
+            let _e125 = global_1.member[0u];
+            let _e126 = bitcast<i32>(_e125);
+            let _e138 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e110) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e98), bitcast<i32>(_e102), bitcast<i32>(_e106));
+            local = array<i32, 3>(bitcast<i32>(_e114), bitcast<i32>(_e118), bitcast<i32>(_e122));
+            let _e144 = (_e86.x + (_e86.y * 2097152u));
+            let _e145 = (_e144 < arrayLength((&global_4.member)));
+            if _e145 {
+                let _e146 = (_e144 < arrayLength((&global_5.member)));
+                if _e146 {
+                    if _e145 {
                     } else {
                         break;
                     }
-                    let _e151 = global_4.member[_e141].member_2[0u];
-                    let _e153 = (bitcast<u32>(_e151) & 2147483647u);
-                    let _e158 = global_4.member[_e141].member_2[1u];
-                    let _e160 = (bitcast<u32>(_e158) & 2147483647u);
-                    let _e165 = global_4.member[_e141].member_2[2u];
-                    let _e167 = (bitcast<u32>(_e165) & 2147483647u);
-                    let _e172 = global_4.member[_e141].member[0u];
-                    let _e174 = (bitcast<u32>(_e172) & 2147483647u);
-                    let _e179 = global_4.member[_e141].member[1u];
-                    let _e181 = (bitcast<u32>(_e179) & 2147483647u);
-                    let _e186 = global_4.member[_e141].member[2u];
-                    let _e188 = (bitcast<u32>(_e186) & 2147483647u);
-                    let _e190 = select(_e160, _e153, (_e160 < _e153));
-                    let _e192 = select(_e167, _e190, (_e167 < _e190));
-                    let _e194 = select(_e174, _e192, (_e174 < _e192));
-                    let _e196 = select(_e181, _e194, (_e181 < _e194));
-                    let _e198 = select(_e188, _e196, (_e188 < _e196));
-                    let _e202 = global_4.member[_e141].member_1;
-                    let _e204 = (bitcast<u32>(_e202) & 2147483647u);
-                    let _e211 = global_4.member[_e141].member_3;
-                    let _e217 = (((select(_e204, _e198, (_e204 < _e198)) < 2139095040u) && ((bitcast<u32>(_e211) & 2147483647u) <= 2139095040u)) && (_e192 > 0u));
-                    if _e217 {
-                        let _e220 = (bitcast<u32>(bitcast<f32>(_e192)) & 2147483647u);
-                        if (_e220 >= 8388608u) {
-                            phi_365_ = (bitcast<i32>((_e220 >> bitcast<u32>(23i))) - 127i);
+                    let _e154 = global_4.member[_e144].member_2[0u];
+                    let _e156 = (bitcast<u32>(_e154) & 2147483647u);
+                    let _e161 = global_4.member[_e144].member_2[1u];
+                    let _e163 = (bitcast<u32>(_e161) & 2147483647u);
+                    let _e168 = global_4.member[_e144].member_2[2u];
+                    let _e170 = (bitcast<u32>(_e168) & 2147483647u);
+                    let _e175 = global_4.member[_e144].member[0u];
+                    let _e177 = (bitcast<u32>(_e175) & 2147483647u);
+                    let _e182 = global_4.member[_e144].member[1u];
+                    let _e184 = (bitcast<u32>(_e182) & 2147483647u);
+                    let _e189 = global_4.member[_e144].member[2u];
+                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
+                    let _e193 = select(_e163, _e156, (_e163 < _e156));
+                    let _e195 = select(_e170, _e193, (_e170 < _e193));
+                    let _e197 = select(_e177, _e195, (_e177 < _e195));
+                    let _e199 = select(_e184, _e197, (_e184 < _e197));
+                    let _e201 = select(_e191, _e199, (_e191 < _e199));
+                    let _e205 = global_4.member[_e144].member_1;
+                    let _e206 = bitcast<u32>(_e205);
+                    let _e207 = (_e206 & 2147483647u);
+                    let _e214 = global_4.member[_e144].member_3;
+                    let _e215 = bitcast<u32>(_e214);
+                    let _e216 = (_e215 & 2147483647u);
+                    let _e220 = (((select(_e207, _e201, (_e207 < _e201)) < 2139095040u) && (_e216 <= 2139095040u)) && (_e195 > 0u));
+                    if _e220 {
+                        let _e223 = (bitcast<u32>(bitcast<f32>(_e195)) & 2147483647u);
+                        if (_e223 >= 8388608u) {
+                            phi_366_ = (bitcast<i32>((_e223 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_365_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u))));
+                            phi_366_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e223)), 32u, (_e223 == 0u))));
                         }
-                        let _e234 = phi_365_;
-                        phi_366_ = _e234;
+                        let _e237 = phi_366_;
+                        phi_367_ = _e237;
                     } else {
-                        phi_366_ = 0i;
+                        phi_367_ = 0i;
                     }
-                    let _e236 = phi_366_;
-                    let _e237 = (_e153 == _e192);
-                    if _e237 {
-                        phi_376_ = true;
-                    } else {
-                        phi_376_ = (_e160 == _e192);
-                    }
-                    let _e240 = phi_376_;
-                    let _e241 = select(1u, 0u, _e237);
+                    let _e239 = phi_367_;
+                    let _e240 = (_e156 == _e195);
                     if _e240 {
-                        let _e242 = (_e241 + 1u);
-                        phi_386_ = _e242;
-                        phi_387_ = _e242;
-                        phi_389_ = select(true, false, (_e242 == 2u));
+                        phi_377_ = true;
                     } else {
-                        phi_386_ = u32();
-                        phi_387_ = 0u;
-                        phi_389_ = true;
+                        phi_377_ = (_e163 == _e195);
                     }
-                    let _e246 = phi_386_;
-                    let _e248 = phi_387_;
-                    let _e250 = phi_389_;
-                    if _e250 {
-                        phi_394_ = (_e248 + 1u);
+                    let _e243 = phi_377_;
+                    let _e244 = select(1u, 0u, _e240);
+                    if _e243 {
+                        let _e245 = (_e244 + 1u);
+                        phi_387_ = _e245;
+                        phi_388_ = _e245;
+                        phi_390_ = select(true, false, (_e245 == 2u));
                     } else {
-                        phi_394_ = 0u;
+                        phi_387_ = u32();
+                        phi_388_ = 0u;
+                        phi_390_ = true;
                     }
-                    let _e254 = phi_394_;
-                    let _e255 = select(_e246, _e248, _e250);
-                    let _e256 = select(_e241, select(2u, _e241, _e240), _e250);
-                    if (_e123 < -126i) {
-                        phi_406_ = -126i;
+                    let _e249 = phi_387_;
+                    let _e251 = phi_388_;
+                    let _e253 = phi_390_;
+                    if _e253 {
+                        phi_395_ = (_e251 + 1u);
                     } else {
-                        phi_406_ = select(_e123, 127i, (_e123 > 127i));
+                        phi_395_ = 0u;
                     }
-                    let _e261 = phi_406_;
-                    let _e266 = bitcast<f32>((bitcast<u32>((_e261 + 127i)) << bitcast<u32>(23i)));
-                    let _e272 = bitcast<f32>((bitcast<u32>(((_e123 - _e261) + 127i)) << bitcast<u32>(23i)));
-                    let _e273 = -(_e236);
-                    if (_e273 < -126i) {
-                        phi_426_ = -126i;
+                    let _e257 = phi_395_;
+                    let _e258 = select(_e249, _e251, _e253);
+                    let _e259 = select(_e244, select(2u, _e244, _e243), _e253);
+                    if (_e126 < -126i) {
+                        phi_407_ = -126i;
                     } else {
-                        phi_426_ = select(_e273, 127i, (_e273 > 127i));
+                        phi_407_ = select(_e126, 127i, (_e126 > 127i));
                     }
-                    let _e278 = phi_426_;
-                    let _e283 = bitcast<f32>((bitcast<u32>((_e278 + 127i)) << bitcast<u32>(23i)));
-                    let _e289 = bitcast<f32>((bitcast<u32>(((_e273 - _e278) + 127i)) << bitcast<u32>(23i)));
-                    let _e293 = global_4.member[_e141].member;
-                    let _e294 = (_e255 == 0u);
-                    if _e294 {
-                        phi_444_ = _e293[0];
+                    let _e264 = phi_407_;
+                    let _e269 = bitcast<f32>((bitcast<u32>((_e264 + 127i)) << bitcast<u32>(23i)));
+                    let _e275 = bitcast<f32>((bitcast<u32>(((_e126 - _e264) + 127i)) << bitcast<u32>(23i)));
+                    let _e276 = -(_e239);
+                    if (_e276 < -126i) {
+                        phi_427_ = -126i;
                     } else {
-                        phi_444_ = _e293[1];
+                        phi_427_ = select(_e276, 127i, (_e276 > 127i));
                     }
-                    let _e298 = phi_444_;
-                    let _e299 = (_e255 == 2u);
-                    if _e299 {
-                        phi_450_ = _e293[2];
+                    let _e281 = phi_427_;
+                    let _e286 = bitcast<f32>((bitcast<u32>((_e281 + 127i)) << bitcast<u32>(23i)));
+                    let _e292 = bitcast<f32>((bitcast<u32>(((_e276 - _e281) + 127i)) << bitcast<u32>(23i)));
+                    let _e296 = global_4.member[_e144].member;
+                    let _e297 = (_e258 == 0u);
+                    if _e297 {
+                        phi_445_ = _e296[0];
                     } else {
-                        phi_450_ = _e298;
+                        phi_445_ = _e296[1];
                     }
-                    let _e302 = phi_450_;
-                    let _e304 = ((_e302 * _e266) * _e272);
-                    let _e305 = global_4.member[_e141].member_2;
-                    if _e294 {
-                        phi_461_ = _e305[0];
+                    let _e301 = phi_445_;
+                    let _e302 = (_e258 == 2u);
+                    if _e302 {
+                        phi_451_ = _e296[2];
                     } else {
-                        phi_461_ = _e305[1];
+                        phi_451_ = _e301;
                     }
-                    let _e309 = phi_461_;
-                    if _e299 {
-                        phi_467_ = _e305[2];
+                    let _e305 = phi_451_;
+                    let _e306 = bitcast<u32>(_e305);
+                    let _e308 = ((_e306 & 2139095040u) != 0u);
+                    let _e322 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e306 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e306 & 2147483648u))), _e305, _e308) * _e269) * select(0.00000011920929f, 1f, _e308)) * _e275);
+                    let _e323 = global_4.member[_e144].member_2;
+                    if _e297 {
+                        phi_491_ = _e323[0];
                     } else {
-                        phi_467_ = _e309;
+                        phi_491_ = _e323[1];
                     }
-                    let _e312 = phi_467_;
-                    let _e314 = ((_e312 * _e283) * _e289);
-                    let _e318 = (bitcast<f32>((bitcast<u32>(_e314) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e318 {
-                        let _e322 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
-                        phi_490_ = select(0.00000000000011368684f, _e322, (_e322 > 0.00000000000011368684f));
+                    let _e327 = phi_491_;
+                    if _e302 {
+                        phi_497_ = _e323[2];
                     } else {
-                        phi_490_ = 0f;
+                        phi_497_ = _e327;
                     }
-                    let _e326 = phi_490_;
-                    let _e327 = (_e304 + _e326);
-                    let _e328 = (_e304 - _e326);
-                    let _e329 = select(_e314, 0f, _e318);
-                    if _e318 {
-                        phi_501_ = 38685626000000000000000000f;
+                    let _e330 = phi_497_;
+                    let _e331 = bitcast<u32>(_e330);
+                    let _e333 = ((_e331 & 2139095040u) != 0u);
+                    let _e347 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e331 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e331 & 2147483648u))), _e330, _e333) * _e286) * select(0.00000011920929f, 1f, _e333)) * _e292);
+                    let _e351 = (bitcast<f32>((bitcast<u32>(_e347) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e351 {
+                        let _e355 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) * 0.00000011920929f);
+                        phi_549_ = select(0.00000000000011368684f, _e355, (_e355 > 0.00000000000011368684f));
                     } else {
-                        phi_501_ = (1f / _e314);
+                        phi_549_ = 0f;
                     }
-                    let _e332 = phi_501_;
-                    let _e333 = (_e254 == 0u);
-                    if _e333 {
-                        phi_510_ = _e293[0];
+                    let _e359 = phi_549_;
+                    let _e360 = (_e322 + _e359);
+                    let _e361 = (_e322 - _e359);
+                    let _e362 = select(_e347, 0f, _e351);
+                    if _e351 {
+                        phi_560_ = 38685626000000000000000000f;
                     } else {
-                        phi_510_ = _e293[1];
+                        phi_560_ = (1f / _e347);
                     }
-                    let _e337 = phi_510_;
-                    let _e338 = (_e254 == 2u);
-                    if _e338 {
-                        phi_516_ = _e293[2];
+                    let _e365 = phi_560_;
+                    let _e366 = (_e257 == 0u);
+                    if _e366 {
+                        phi_569_ = _e296[0];
                     } else {
-                        phi_516_ = _e337;
+                        phi_569_ = _e296[1];
                     }
-                    let _e341 = phi_516_;
-                    let _e343 = ((_e341 * _e266) * _e272);
-                    if _e333 {
-                        phi_527_ = _e305[0];
-                    } else {
-                        phi_527_ = _e305[1];
-                    }
-                    let _e347 = phi_527_;
-                    if _e338 {
-                        phi_533_ = _e305[2];
-                    } else {
-                        phi_533_ = _e347;
-                    }
-                    let _e350 = phi_533_;
-                    let _e352 = ((_e350 * _e283) * _e289);
-                    let _e356 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e356 {
-                        let _e360 = (bitcast<f32>((bitcast<u32>(_e343) & 2147483647u)) * 0.00000011920929f);
-                        phi_556_ = select(0.00000000000011368684f, _e360, (_e360 > 0.00000000000011368684f));
-                    } else {
-                        phi_556_ = 0f;
-                    }
-                    let _e364 = phi_556_;
-                    let _e365 = (_e343 + _e364);
-                    let _e366 = (_e343 - _e364);
-                    let _e367 = select(_e352, 0f, _e356);
-                    if _e356 {
-                        phi_567_ = 38685626000000000000000000f;
-                    } else {
-                        phi_567_ = (1f / _e352);
-                    }
-                    let _e370 = phi_567_;
-                    let _e371 = (_e256 == 0u);
+                    let _e370 = phi_569_;
+                    let _e371 = (_e257 == 2u);
                     if _e371 {
-                        phi_576_ = _e293[0];
+                        phi_575_ = _e296[2];
                     } else {
-                        phi_576_ = _e293[1];
+                        phi_575_ = _e370;
                     }
-                    let _e375 = phi_576_;
-                    let _e376 = (_e256 == 2u);
-                    if _e376 {
-                        phi_582_ = _e293[2];
+                    let _e374 = phi_575_;
+                    let _e375 = bitcast<u32>(_e374);
+                    let _e377 = ((_e375 & 2139095040u) != 0u);
+                    let _e391 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e375 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e375 & 2147483648u))), _e374, _e377) * _e269) * select(0.00000011920929f, 1f, _e377)) * _e275);
+                    if _e366 {
+                        phi_615_ = _e323[0];
                     } else {
-                        phi_582_ = _e375;
+                        phi_615_ = _e323[1];
                     }
-                    let _e379 = phi_582_;
-                    let _e381 = ((_e379 * _e266) * _e272);
+                    let _e395 = phi_615_;
                     if _e371 {
-                        phi_593_ = _e305[0];
+                        phi_621_ = _e323[2];
                     } else {
-                        phi_593_ = _e305[1];
+                        phi_621_ = _e395;
                     }
-                    let _e385 = phi_593_;
-                    if _e376 {
-                        phi_599_ = _e305[2];
+                    let _e398 = phi_621_;
+                    let _e399 = bitcast<u32>(_e398);
+                    let _e401 = ((_e399 & 2139095040u) != 0u);
+                    let _e415 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e399 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e399 & 2147483648u))), _e398, _e401) * _e286) * select(0.00000011920929f, 1f, _e401)) * _e292);
+                    let _e419 = (bitcast<f32>((bitcast<u32>(_e415) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e419 {
+                        let _e423 = (bitcast<f32>((bitcast<u32>(_e391) & 2147483647u)) * 0.00000011920929f);
+                        phi_673_ = select(0.00000000000011368684f, _e423, (_e423 > 0.00000000000011368684f));
                     } else {
-                        phi_599_ = _e385;
+                        phi_673_ = 0f;
                     }
-                    let _e388 = phi_599_;
-                    let _e390 = ((_e388 * _e283) * _e289);
-                    let _e394 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e394 {
-                        let _e398 = (bitcast<f32>((bitcast<u32>(_e381) & 2147483647u)) * 0.00000011920929f);
-                        phi_622_ = select(0.00000000000011368684f, _e398, (_e398 > 0.00000000000011368684f));
+                    let _e427 = phi_673_;
+                    let _e428 = (_e391 + _e427);
+                    let _e429 = (_e391 - _e427);
+                    let _e430 = select(_e415, 0f, _e419);
+                    if _e419 {
+                        phi_684_ = 38685626000000000000000000f;
                     } else {
-                        phi_622_ = 0f;
+                        phi_684_ = (1f / _e415);
                     }
-                    let _e402 = phi_622_;
-                    let _e403 = (_e381 + _e402);
-                    let _e404 = (_e381 - _e402);
-                    let _e405 = select(_e390, 0f, _e394);
-                    if _e394 {
-                        phi_633_ = 38685626000000000000000000f;
+                    let _e433 = phi_684_;
+                    let _e434 = (_e259 == 0u);
+                    if _e434 {
+                        phi_693_ = _e296[0];
                     } else {
-                        phi_633_ = (1f / _e390);
+                        phi_693_ = _e296[1];
                     }
-                    let _e408 = phi_633_;
-                    let _e411 = bitcast<f32>((bitcast<u32>(_e304) & 2147483647u));
-                    let _e414 = bitcast<f32>((bitcast<u32>(_e343) & 2147483647u));
-                    let _e416 = select(_e414, _e411, (_e411 > _e414));
-                    let _e419 = bitcast<f32>((bitcast<u32>(_e381) & 2147483647u));
-                    let _e422 = (_e123 + _e236);
-                    if (_e217 && (select(_e419, _e416, (_e416 > _e419)) <= 1099511600000f)) {
-                        let _e425 = (_e422 / 3i);
-                        let _e432 = bitcast<f32>((bitcast<u32>((_e425 + 127i)) << bitcast<u32>(23i)));
-                        let _e439 = bitcast<f32>((bitcast<u32>(((_e422 - (2i * _e425)) + 127i)) << bitcast<u32>(23i)));
-                        let _e440 = (((_e202 * _e432) * _e432) * _e439);
-                        let _e442 = select(340282350000000000000000000000000000000f, _e440, (_e440 < 340282350000000000000000000000000000000f));
-                        let _e447 = (((_e211 * _e432) * _e432) * _e439);
-                        let _e449 = select(340282350000000000000000000000000000000f, _e447, (_e447 < 340282350000000000000000000000000000000f));
-                        phi_733_ = select(-340282350000000000000000000000000000000f, _e449, (_e449 > -340282350000000000000000000000000000000f));
-                        phi_734_ = select(-340282350000000000000000000000000000000f, _e442, (_e442 > -340282350000000000000000000000000000000f));
+                    let _e438 = phi_693_;
+                    let _e439 = (_e259 == 2u);
+                    if _e439 {
+                        phi_699_ = _e296[2];
                     } else {
-                        phi_733_ = 0f;
-                        phi_734_ = 1f;
+                        phi_699_ = _e438;
                     }
-                    let _e453 = phi_733_;
-                    let _e455 = phi_734_;
+                    let _e442 = phi_699_;
+                    let _e443 = bitcast<u32>(_e442);
+                    let _e445 = ((_e443 & 2139095040u) != 0u);
+                    let _e459 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e443 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e443 & 2147483648u))), _e442, _e445) * _e269) * select(0.00000011920929f, 1f, _e445)) * _e275);
+                    if _e434 {
+                        phi_739_ = _e323[0];
+                    } else {
+                        phi_739_ = _e323[1];
+                    }
+                    let _e463 = phi_739_;
+                    if _e439 {
+                        phi_745_ = _e323[2];
+                    } else {
+                        phi_745_ = _e463;
+                    }
+                    let _e466 = phi_745_;
+                    let _e467 = bitcast<u32>(_e466);
+                    let _e469 = ((_e467 & 2139095040u) != 0u);
+                    let _e483 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e467 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e467 & 2147483648u))), _e466, _e469) * _e286) * select(0.00000011920929f, 1f, _e469)) * _e292);
+                    let _e487 = (bitcast<f32>((bitcast<u32>(_e483) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e487 {
+                        let _e491 = (bitcast<f32>((bitcast<u32>(_e459) & 2147483647u)) * 0.00000011920929f);
+                        phi_797_ = select(0.00000000000011368684f, _e491, (_e491 > 0.00000000000011368684f));
+                    } else {
+                        phi_797_ = 0f;
+                    }
+                    let _e495 = phi_797_;
+                    let _e496 = (_e459 + _e495);
+                    let _e497 = (_e459 - _e495);
+                    let _e498 = select(_e483, 0f, _e487);
+                    if _e487 {
+                        phi_808_ = 38685626000000000000000000f;
+                    } else {
+                        phi_808_ = (1f / _e483);
+                    }
+                    let _e501 = phi_808_;
+                    let _e504 = bitcast<f32>((bitcast<u32>(_e322) & 2147483647u));
+                    let _e507 = bitcast<f32>((bitcast<u32>(_e391) & 2147483647u));
+                    let _e509 = select(_e507, _e504, (_e504 > _e507));
+                    let _e512 = bitcast<f32>((bitcast<u32>(_e459) & 2147483647u));
+                    let _e515 = (_e126 + _e239);
+                    if (_e220 && (select(_e512, _e509, (_e509 > _e512)) <= 1099511600000f)) {
+                        let _e525 = ((_e207 & 8388607u) | (select(0u, 1u, ((_e207 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e528 = bitcast<i32>((_e207 >> bitcast<u32>(23i)));
+                        let _e532 = (_e525 == 0u);
+                        let _e535 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e525)), 32u, _e532)) - 8i);
+                        if (_e528 == 255i) {
+                            phi_863_ = 255i;
+                        } else {
+                            phi_863_ = (((_e528 + select(0i, 1i, (_e528 == 0i))) - _e535) + _e515);
+                        }
+                        let _e543 = phi_863_;
+                        let _e553 = (_e543 <= 0i);
+                        if _e553 {
+                            phi_886_ = u32();
+                        } else {
+                            if _e532 {
+                                phi_885_ = u32();
+                            } else {
+                                phi_885_ = select(((bitcast<u32>(_e543) << bitcast<u32>(23i)) | ((_e525 << bitcast<u32>(((_e535 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e543 >= 255i));
+                            }
+                            let _e557 = phi_885_;
+                            phi_886_ = _e557;
+                        }
+                        let _e559 = phi_886_;
+                        let _e571 = ((_e216 & 8388607u) | (select(0u, 1u, ((_e216 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e574 = bitcast<i32>((_e216 >> bitcast<u32>(23i)));
+                        let _e578 = (_e571 == 0u);
+                        let _e581 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e571)), 32u, _e578)) - 8i);
+                        if (_e574 == 255i) {
+                            phi_923_ = 255i;
+                        } else {
+                            phi_923_ = (((_e574 + select(0i, 1i, (_e574 == 0i))) - _e581) + _e515);
+                        }
+                        let _e589 = phi_923_;
+                        let _e599 = (_e589 <= 0i);
+                        if _e599 {
+                            phi_946_ = u32();
+                        } else {
+                            if _e578 {
+                                phi_945_ = u32();
+                            } else {
+                                phi_945_ = select(((bitcast<u32>(_e589) << bitcast<u32>(23i)) | ((_e571 << bitcast<u32>(((_e581 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e589 >= 255i));
+                            }
+                            let _e603 = phi_945_;
+                            phi_946_ = _e603;
+                        }
+                        let _e605 = phi_946_;
+                        phi_954_ = bitcast<f32>(((_e215 & 2147483648u) | select(_e605, 0u, select(_e578, true, _e599))));
+                        phi_955_ = bitcast<f32>(((_e206 & 2147483648u) | select(_e559, 0u, select(_e532, true, _e553))));
+                    } else {
+                        phi_954_ = 0f;
+                        phi_955_ = 1f;
+                    }
+                    let _e611 = phi_954_;
+                    let _e613 = phi_955_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -495,926 +555,926 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e459 = (_e255 % 3u);
-                    let _e460 = (_e459 < 3u);
-                    if _e460 {
+                    let _e617 = (_e258 % 3u);
+                    let _e618 = (_e617 < 3u);
+                    if _e618 {
                     } else {
                         break;
                     }
-                    let _e462 = local_1[_e459];
-                    let _e465 = (_e254 % 3u);
-                    let _e466 = (_e465 < 3u);
-                    if _e466 {
+                    let _e620 = local_1[_e617];
+                    let _e623 = (_e257 % 3u);
+                    let _e624 = (_e623 < 3u);
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e468 = local_1[_e465];
-                    let _e471 = (_e256 % 3u);
-                    let _e472 = (_e471 < 3u);
-                    if _e472 {
+                    let _e626 = local_1[_e623];
+                    let _e629 = (_e259 % 3u);
+                    let _e630 = (_e629 < 3u);
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e474 = local_1[_e471];
-                    if _e460 {
+                    let _e632 = local_1[_e629];
+                    if _e618 {
                     } else {
                         break;
                     }
-                    let _e479 = local[_e459];
-                    if _e466 {
+                    let _e637 = local[_e617];
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e483 = local[_e465];
-                    if _e472 {
+                    let _e641 = local[_e623];
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e487 = local[_e471];
-                    phi_3382_ = false;
-                    phi_823_ = type_38(_e453, false);
-                    phi_826_ = type_49(type_28(vec4<f32>((f32(_e462) * _e135), (f32(_e468) * _e135), (f32(_e474) * _e135), 0f), vec4<f32>((f32(_e479) * _e135), (f32(_e483) * _e135), (f32(_e487) * _e135), 0f)), select(0u, 2147483648u, (_e85 == 0u)));
-                    phi_828_ = ((3u * _e85) + 1u);
-                    phi_830_ = (_e455 <= _e453);
-                    phi_832_ = 0u;
+                    let _e645 = local[_e629];
+                    phi_3612_ = false;
+                    phi_1044_ = type_38(_e611, false);
+                    phi_1047_ = type_49(type_28(vec4<f32>((f32(_e620) * _e138), (f32(_e626) * _e138), (f32(_e632) * _e138), 0f), vec4<f32>((f32(_e637) * _e138), (f32(_e641) * _e138), (f32(_e645) * _e138), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
+                    phi_1049_ = ((3u * _e88) + 1u);
+                    phi_1051_ = (_e613 <= _e611);
+                    phi_1053_ = 0u;
                     loop {
-                        let _e497 = phi_3382_;
-                        let _e499 = phi_823_;
-                        let _e501 = phi_826_;
-                        let _e503 = phi_828_;
-                        let _e505 = phi_830_;
-                        let _e507 = phi_832_;
-                        local_11 = _e499;
-                        if _e505 {
-                            phi_843_ = true;
+                        let _e655 = phi_3612_;
+                        let _e657 = phi_1044_;
+                        let _e659 = phi_1047_;
+                        let _e661 = phi_1049_;
+                        let _e663 = phi_1051_;
+                        let _e665 = phi_1053_;
+                        local_11 = _e657;
+                        if _e663 {
+                            phi_1064_ = true;
                         } else {
-                            phi_843_ = (_e507 > 0u);
+                            phi_1064_ = (_e665 > 0u);
                         }
-                        let _e510 = phi_843_;
-                        if _e510 {
-                            let _e511 = (_e503 > 0u);
-                            if _e511 {
-                                if _e505 {
-                                    phi_929_ = _e501;
-                                    phi_930_ = _e505;
-                                    phi_931_ = _e507;
+                        let _e668 = phi_1064_;
+                        if _e668 {
+                            let _e669 = (_e661 > 0u);
+                            if _e669 {
+                                if _e663 {
+                                    phi_1150_ = _e659;
+                                    phi_1151_ = _e663;
+                                    phi_1152_ = _e665;
                                 } else {
-                                    let _e512 = (_e507 - 1u);
-                                    let _e513 = (_e512 % 128u);
-                                    let _e514 = (_e513 < 128u);
-                                    if _e514 {
+                                    let _e670 = (_e665 - 1u);
+                                    let _e671 = (_e670 % 128u);
+                                    let _e672 = (_e671 < 128u);
+                                    if _e672 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e516 = local_7[_e513];
-                                    if _e514 {
+                                    let _e674 = local_7[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e518 = local_6[_e513];
-                                    if _e514 {
+                                    let _e676 = local_6[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e520 = local_5[_e513];
-                                    if _e514 {
+                                    let _e678 = local_5[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e522 = local_4[_e513];
-                                    if _e514 {
+                                    let _e680 = local_4[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e524 = local_3[_e513];
-                                    if _e514 {
+                                    let _e682 = local_3[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e526 = local_2[_e513];
-                                    if _e514 {
+                                    let _e684 = local_2[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e531 = local_8[_e513];
-                                    if _e514 {
+                                    let _e689 = local_8[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_3515_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e534 = local_9[_e513];
-                                    phi_929_ = type_49(type_28(vec4<f32>(_e516, _e518, _e520, 0f), vec4<f32>(_e522, _e524, _e526, 0f)), _e531);
-                                    phi_930_ = (_e534 <= _e499.member);
-                                    phi_931_ = _e512;
+                                    let _e692 = local_9[_e671];
+                                    phi_1150_ = type_49(type_28(vec4<f32>(_e674, _e676, _e678, 0f), vec4<f32>(_e680, _e682, _e684, 0f)), _e689);
+                                    phi_1151_ = (_e692 <= _e657.member);
+                                    phi_1152_ = _e670;
                                 }
-                                let _e538 = phi_929_;
-                                let _e540 = phi_930_;
-                                let _e542 = phi_931_;
-                                if _e540 {
-                                    if ((_e538.member_1 & 2147483648u) != 0u) {
-                                        phi_949_ = _e499;
-                                        phi_952_ = type_7(0u, ((_e538.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e696 = phi_1150_;
+                                let _e698 = phi_1151_;
+                                let _e700 = phi_1152_;
+                                if _e698 {
+                                    if ((_e696.member_1 & 2147483648u) != 0u) {
+                                        phi_1170_ = _e657;
+                                        phi_1173_ = type_7(0u, ((_e696.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1004 = phi_949_;
-                                            let _e1006 = phi_952_;
-                                            local_10 = _e1004;
-                                            local_12 = _e1004;
-                                            if (_e1006.member < _e1006.member_1) {
-                                                phi_953_ = type_7((_e1006.member + 1u), _e1006.member_1);
-                                                phi_975_ = type_7(1u, _e1006.member);
+                                            let _e1168 = phi_1170_;
+                                            let _e1170 = phi_1173_;
+                                            local_10 = _e1168;
+                                            local_12 = _e1168;
+                                            if (_e1170.member < _e1170.member_1) {
+                                                phi_1174_ = type_7((_e1170.member + 1u), _e1170.member_1);
+                                                phi_1196_ = type_7(1u, _e1170.member);
                                             } else {
-                                                phi_953_ = _e1006;
-                                                phi_975_ = type_7(0u, type_7().member_1);
+                                                phi_1174_ = _e1170;
+                                                phi_1196_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1019 = phi_953_;
-                                            let _e1021 = phi_975_;
-                                            let _e1025 = (bitcast<i32>(_e1021.member) != 0i);
-                                            if _e1025 {
-                                                let _e1026 = ((_e538.member_1 & 268435455u) + _e1021.member_1);
-                                                let _e1027 = (_e1026 < _e87);
-                                                if _e1027 {
-                                                    if _e1027 {
+                                            let _e1183 = phi_1174_;
+                                            let _e1185 = phi_1196_;
+                                            let _e1189 = (bitcast<i32>(_e1185.member) != 0i);
+                                            if _e1189 {
+                                                let _e1190 = ((_e696.member_1 & 268435455u) + _e1185.member_1);
+                                                let _e1191 = (_e1190 < _e90);
+                                                if _e1191 {
+                                                    if _e1191 {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1031 = global_2.member[_e1026].member_1;
-                                                    phi_996_ = _e1031;
+                                                    let _e1195 = global_2.member[_e1190].member_1;
+                                                    phi_1217_ = _e1195;
                                                 } else {
-                                                    phi_996_ = 4294967295u;
+                                                    phi_1217_ = 4294967295u;
                                                 }
-                                                let _e1033 = phi_996_;
-                                                if (_e1026 >= _e87) {
-                                                    phi_1085_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1197 = phi_1217_;
+                                                if (_e1190 >= _e90) {
+                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1027 {
+                                                    if _e1191 {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    if (_e459 < 9u) {
+                                                    if (_e617 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1040 = global_2.member[_e1026].member[_e459];
-                                                    if (_e465 < 9u) {
+                                                    let _e1204 = global_2.member[_e1190].member[_e617];
+                                                    if (_e623 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1046 = global_2.member[_e1026].member[_e465];
-                                                    if (_e471 < 9u) {
+                                                    let _e1210 = global_2.member[_e1190].member[_e623];
+                                                    if (_e629 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1052 = global_2.member[_e1026].member[_e471];
-                                                    let _e1054 = (3u + _e459);
-                                                    if (_e1054 < 9u) {
+                                                    let _e1216 = global_2.member[_e1190].member[_e629];
+                                                    let _e1218 = (3u + _e617);
+                                                    if (_e1218 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1060 = global_2.member[_e1026].member[_e1054];
-                                                    let _e1061 = (3u + _e465);
-                                                    if (_e1061 < 9u) {
+                                                    let _e1224 = global_2.member[_e1190].member[_e1218];
+                                                    let _e1225 = (3u + _e623);
+                                                    if (_e1225 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1067 = global_2.member[_e1026].member[_e1061];
-                                                    let _e1068 = (3u + _e471);
-                                                    if (_e1068 < 9u) {
+                                                    let _e1231 = global_2.member[_e1190].member[_e1225];
+                                                    let _e1232 = (3u + _e629);
+                                                    if (_e1232 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1074 = global_2.member[_e1026].member[_e1068];
-                                                    let _e1076 = (6u + _e459);
-                                                    if (_e1076 < 9u) {
+                                                    let _e1238 = global_2.member[_e1190].member[_e1232];
+                                                    let _e1240 = (6u + _e617);
+                                                    if (_e1240 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1082 = global_2.member[_e1026].member[_e1076];
-                                                    let _e1083 = (6u + _e465);
-                                                    if (_e1083 < 9u) {
+                                                    let _e1246 = global_2.member[_e1190].member[_e1240];
+                                                    let _e1247 = (6u + _e623);
+                                                    if (_e1247 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1089 = global_2.member[_e1026].member[_e1083];
-                                                    let _e1090 = (6u + _e471);
-                                                    if (_e1090 < 9u) {
+                                                    let _e1253 = global_2.member[_e1190].member[_e1247];
+                                                    let _e1254 = (6u + _e629);
+                                                    if (_e1254 < 9u) {
                                                     } else {
-                                                        phi_3376_ = true;
+                                                        phi_3606_ = true;
                                                         break;
                                                     }
-                                                    let _e1096 = global_2.member[_e1026].member[_e1090];
-                                                    phi_1085_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1040, _e1046, _e1052), array<f32, 3>(_e1060, _e1067, _e1074), array<f32, 3>(_e1082, _e1089, _e1096));
+                                                    let _e1260 = global_2.member[_e1190].member[_e1254];
+                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1204, _e1210, _e1216), array<f32, 3>(_e1224, _e1231, _e1238), array<f32, 3>(_e1246, _e1253, _e1260));
                                                 }
-                                                let _e1100 = phi_1085_;
-                                                let _e1108 = (_e1100[0][2] - _e381);
-                                                let _e1111 = (((_e1100[0][0] - _e304) * _e405) - (_e1108 * _e329));
-                                                let _e1114 = (((_e1100[0][1] - _e343) * _e405) - (_e1108 * _e367));
-                                                let _e1121 = (_e1100[1][2] - _e381);
-                                                let _e1124 = (((_e1100[1][0] - _e304) * _e405) - (_e1121 * _e329));
-                                                let _e1127 = (((_e1100[1][1] - _e343) * _e405) - (_e1121 * _e367));
-                                                let _e1134 = (_e1100[2][2] - _e381);
-                                                let _e1137 = (((_e1100[2][0] - _e304) * _e405) - (_e1134 * _e329));
-                                                let _e1140 = (((_e1100[2][1] - _e343) * _e405) - (_e1134 * _e367));
-                                                let _e1141 = (_e1137 * _e1127);
-                                                let _e1142 = (_e1140 * _e1124);
-                                                let _e1143 = (_e1111 * _e1140);
-                                                let _e1144 = (_e1114 * _e1137);
-                                                let _e1145 = (_e1124 * _e1114);
-                                                let _e1146 = (_e1127 * _e1111);
-                                                let _e1151 = (((_e1141 >= _e1142) && (_e1143 >= _e1144)) && (_e1145 >= _e1146));
-                                                if (_e1151 || (((_e1141 <= _e1142) && (_e1143 <= _e1144)) && (_e1145 <= _e1146))) {
-                                                    let _e1158 = select(-1f, 1f, _e1151);
-                                                    let _e1160 = ((_e1141 - _e1142) * _e1158);
-                                                    let _e1162 = select(0f, _e1160, (_e1160 > 0f));
-                                                    let _e1164 = ((_e1143 - _e1144) * _e1158);
-                                                    let _e1166 = select(0f, _e1164, (_e1164 > 0f));
-                                                    let _e1168 = ((_e1145 - _e1146) * _e1158);
-                                                    let _e1170 = select(0f, _e1168, (_e1168 > 0f));
-                                                    let _e1172 = ((_e1162 + _e1166) + _e1170);
-                                                    if (_e1172 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1910_ = type_24();
-                                                        phi_1911_ = true;
-                                                        phi_1912_ = false;
+                                                let _e1264 = phi_1306_;
+                                                let _e1272 = (_e1264[0][2] - _e459);
+                                                let _e1275 = (((_e1264[0][0] - _e322) * _e498) - (_e1272 * _e362));
+                                                let _e1278 = (((_e1264[0][1] - _e391) * _e498) - (_e1272 * _e430));
+                                                let _e1285 = (_e1264[1][2] - _e459);
+                                                let _e1288 = (((_e1264[1][0] - _e322) * _e498) - (_e1285 * _e362));
+                                                let _e1291 = (((_e1264[1][1] - _e391) * _e498) - (_e1285 * _e430));
+                                                let _e1298 = (_e1264[2][2] - _e459);
+                                                let _e1301 = (((_e1264[2][0] - _e322) * _e498) - (_e1298 * _e362));
+                                                let _e1304 = (((_e1264[2][1] - _e391) * _e498) - (_e1298 * _e430));
+                                                let _e1305 = (_e1301 * _e1291);
+                                                let _e1306 = (_e1304 * _e1288);
+                                                let _e1307 = (_e1275 * _e1304);
+                                                let _e1308 = (_e1278 * _e1301);
+                                                let _e1309 = (_e1288 * _e1278);
+                                                let _e1310 = (_e1291 * _e1275);
+                                                let _e1315 = (((_e1305 >= _e1306) && (_e1307 >= _e1308)) && (_e1309 >= _e1310));
+                                                if (_e1315 || (((_e1305 <= _e1306) && (_e1307 <= _e1308)) && (_e1309 <= _e1310))) {
+                                                    let _e1322 = select(-1f, 1f, _e1315);
+                                                    let _e1324 = ((_e1305 - _e1306) * _e1322);
+                                                    let _e1326 = select(0f, _e1324, (_e1324 > 0f));
+                                                    let _e1328 = ((_e1307 - _e1308) * _e1322);
+                                                    let _e1330 = select(0f, _e1328, (_e1328 > 0f));
+                                                    let _e1332 = ((_e1309 - _e1310) * _e1322);
+                                                    let _e1334 = select(0f, _e1332, (_e1332 > 0f));
+                                                    let _e1336 = ((_e1326 + _e1330) + _e1334);
+                                                    if (_e1336 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2131_ = type_24();
+                                                        phi_2132_ = true;
+                                                        phi_2133_ = false;
                                                     } else {
-                                                        let _e1175 = select(_e1124, _e1111, (_e1111 < _e1124));
-                                                        if (select(_e1137, _e1175, (_e1175 < _e1137)) > 0f) {
-                                                            phi_1202_ = true;
+                                                        let _e1339 = select(_e1288, _e1275, (_e1275 < _e1288));
+                                                        if (select(_e1301, _e1339, (_e1339 < _e1301)) > 0f) {
+                                                            phi_1423_ = true;
                                                         } else {
-                                                            let _e1180 = select(_e1124, _e1111, (_e1111 > _e1124));
-                                                            phi_1202_ = (select(_e1137, _e1180, (_e1180 > _e1137)) < 0f);
+                                                            let _e1344 = select(_e1288, _e1275, (_e1275 > _e1288));
+                                                            phi_1423_ = (select(_e1301, _e1344, (_e1344 > _e1301)) < 0f);
                                                         }
-                                                        let _e1185 = phi_1202_;
-                                                        if _e1185 {
-                                                            phi_1907_ = type_24();
-                                                            phi_1908_ = true;
-                                                            phi_1909_ = false;
+                                                        let _e1349 = phi_1423_;
+                                                        if _e1349 {
+                                                            phi_2128_ = type_24();
+                                                            phi_2129_ = true;
+                                                            phi_2130_ = false;
                                                         } else {
-                                                            let _e1187 = select(_e1127, _e1114, (_e1114 < _e1127));
-                                                            if (select(_e1140, _e1187, (_e1187 < _e1140)) > 0f) {
-                                                                phi_1231_ = true;
+                                                            let _e1351 = select(_e1291, _e1278, (_e1278 < _e1291));
+                                                            if (select(_e1304, _e1351, (_e1351 < _e1304)) > 0f) {
+                                                                phi_1452_ = true;
                                                             } else {
-                                                                let _e1192 = select(_e1127, _e1114, (_e1114 > _e1127));
-                                                                phi_1231_ = (select(_e1140, _e1192, (_e1192 > _e1140)) < 0f);
+                                                                let _e1356 = select(_e1291, _e1278, (_e1278 > _e1291));
+                                                                phi_1452_ = (select(_e1304, _e1356, (_e1356 > _e1304)) < 0f);
                                                             }
-                                                            let _e1197 = phi_1231_;
-                                                            if _e1197 {
-                                                                phi_1905_ = type_24();
-                                                                phi_1906_ = false;
+                                                            let _e1361 = phi_1452_;
+                                                            if _e1361 {
+                                                                phi_2126_ = type_24();
+                                                                phi_2127_ = false;
                                                             } else {
-                                                                let _e1199 = select(_e1100[1][0], _e1100[0][0], (_e1100[0][0] < _e1100[1][0]));
-                                                                let _e1203 = select(_e1100[1][0], _e1100[0][0], (_e1100[0][0] > _e1100[1][0]));
-                                                                let _e1207 = select(_e1100[1][1], _e1100[0][1], (_e1100[0][1] < _e1100[1][1]));
-                                                                let _e1211 = select(_e1100[1][1], _e1100[0][1], (_e1100[0][1] > _e1100[1][1]));
-                                                                let _e1215 = select(_e1100[1][2], _e1100[0][2], (_e1100[0][2] < _e1100[1][2]));
-                                                                let _e1219 = select(_e1100[1][2], _e1100[0][2], (_e1100[0][2] > _e1100[1][2]));
-                                                                let _e1224 = ((select(_e1100[2][0], _e1199, (_e1199 < _e1100[2][0])) - _e327) * _e332);
-                                                                let _e1225 = ((select(_e1100[2][0], _e1203, (_e1203 > _e1100[2][0])) - _e328) * _e332);
-                                                                let _e1228 = ((select(_e1100[2][1], _e1207, (_e1207 < _e1100[2][1])) - _e365) * _e370);
-                                                                let _e1229 = ((select(_e1100[2][1], _e1211, (_e1211 > _e1100[2][1])) - _e366) * _e370);
-                                                                let _e1232 = ((select(_e1100[2][2], _e1215, (_e1215 < _e1100[2][2])) - _e403) * _e408);
-                                                                let _e1233 = ((select(_e1100[2][2], _e1219, (_e1219 > _e1100[2][2])) - _e404) * _e408);
-                                                                let _e1235 = select(_e1233, _e1232, (_e1232 < _e1233));
-                                                                let _e1237 = select(_e1233, _e1232, (_e1232 > _e1233));
-                                                                let _e1239 = select(_e1225, _e1224, (_e1224 < _e1225));
-                                                                let _e1241 = select(_e1229, _e1228, (_e1228 < _e1229));
-                                                                let _e1243 = select(_e1241, _e1239, (_e1239 > _e1241));
-                                                                let _e1245 = select(_e1235, _e1243, (_e1243 > _e1235));
-                                                                let _e1247 = select(_e1225, _e1224, (_e1224 > _e1225));
-                                                                let _e1249 = select(_e1229, _e1228, (_e1228 > _e1229));
-                                                                let _e1251 = select(_e1249, _e1247, (_e1247 < _e1249));
-                                                                let _e1253 = select(_e1237, _e1251, (_e1251 < _e1237));
-                                                                let _e1254 = -(_e1235);
-                                                                let _e1260 = select(_e455, _e1245, (_e1245 > _e455));
-                                                                if (_e1260 > (_e1253 + (select(_e1254, _e1237, (_e1237 > _e1254)) * 0.0000019073523f))) {
-                                                                    phi_1900_ = type_24();
-                                                                    phi_1901_ = true;
+                                                                let _e1363 = select(_e1264[1][0], _e1264[0][0], (_e1264[0][0] < _e1264[1][0]));
+                                                                let _e1367 = select(_e1264[1][0], _e1264[0][0], (_e1264[0][0] > _e1264[1][0]));
+                                                                let _e1371 = select(_e1264[1][1], _e1264[0][1], (_e1264[0][1] < _e1264[1][1]));
+                                                                let _e1375 = select(_e1264[1][1], _e1264[0][1], (_e1264[0][1] > _e1264[1][1]));
+                                                                let _e1379 = select(_e1264[1][2], _e1264[0][2], (_e1264[0][2] < _e1264[1][2]));
+                                                                let _e1383 = select(_e1264[1][2], _e1264[0][2], (_e1264[0][2] > _e1264[1][2]));
+                                                                let _e1388 = ((select(_e1264[2][0], _e1363, (_e1363 < _e1264[2][0])) - _e360) * _e365);
+                                                                let _e1389 = ((select(_e1264[2][0], _e1367, (_e1367 > _e1264[2][0])) - _e361) * _e365);
+                                                                let _e1392 = ((select(_e1264[2][1], _e1371, (_e1371 < _e1264[2][1])) - _e428) * _e433);
+                                                                let _e1393 = ((select(_e1264[2][1], _e1375, (_e1375 > _e1264[2][1])) - _e429) * _e433);
+                                                                let _e1396 = ((select(_e1264[2][2], _e1379, (_e1379 < _e1264[2][2])) - _e496) * _e501);
+                                                                let _e1397 = ((select(_e1264[2][2], _e1383, (_e1383 > _e1264[2][2])) - _e497) * _e501);
+                                                                let _e1399 = select(_e1397, _e1396, (_e1396 < _e1397));
+                                                                let _e1401 = select(_e1397, _e1396, (_e1396 > _e1397));
+                                                                let _e1403 = select(_e1389, _e1388, (_e1388 < _e1389));
+                                                                let _e1405 = select(_e1393, _e1392, (_e1392 < _e1393));
+                                                                let _e1407 = select(_e1405, _e1403, (_e1403 > _e1405));
+                                                                let _e1409 = select(_e1399, _e1407, (_e1407 > _e1399));
+                                                                let _e1411 = select(_e1389, _e1388, (_e1388 > _e1389));
+                                                                let _e1413 = select(_e1393, _e1392, (_e1392 > _e1393));
+                                                                let _e1415 = select(_e1413, _e1411, (_e1411 < _e1413));
+                                                                let _e1417 = select(_e1401, _e1415, (_e1415 < _e1401));
+                                                                let _e1418 = -(_e1399);
+                                                                let _e1424 = select(_e613, _e1409, (_e1409 > _e613));
+                                                                if (_e1424 > (_e1417 + (select(_e1418, _e1401, (_e1401 > _e1418)) * 0.0000019073523f))) {
+                                                                    phi_2121_ = type_24();
+                                                                    phi_2122_ = true;
                                                                 } else {
-                                                                    let _e1262 = (_e1260 > _e1004.member);
-                                                                    if _e1262 {
-                                                                        phi_1899_ = type_24();
+                                                                    let _e1426 = (_e1424 > _e1168.member);
+                                                                    if _e1426 {
+                                                                        phi_2120_ = type_24();
                                                                     } else {
-                                                                        let _e1263 = vec3<f32>(_e1100[0][0], _e1100[0][1], _e1100[0][2]);
-                                                                        let _e1264 = vec3<f32>(_e1100[1][0], _e1100[1][1], _e1100[1][2]);
-                                                                        let _e1265 = vec3<f32>(_e1100[2][0], _e1100[2][1], _e1100[2][2]);
-                                                                        let _e1266 = (_e1100[1][0] - _e1100[0][0]);
-                                                                        let _e1267 = (_e1100[1][1] - _e1100[0][1]);
-                                                                        let _e1268 = (_e1100[1][2] - _e1100[0][2]);
-                                                                        let _e1269 = vec3<f32>(_e1266, _e1267, _e1268);
-                                                                        let _e1270 = (_e1100[2][0] - _e1100[1][0]);
-                                                                        let _e1271 = (_e1100[2][1] - _e1100[1][1]);
-                                                                        let _e1272 = (_e1100[2][2] - _e1100[1][2]);
-                                                                        let _e1273 = vec3<f32>(_e1270, _e1271, _e1272);
-                                                                        let _e1274 = (_e1100[0][0] - _e1100[2][0]);
-                                                                        let _e1275 = (_e1100[0][1] - _e1100[2][1]);
-                                                                        let _e1276 = (_e1100[0][2] - _e1100[2][2]);
-                                                                        let _e1277 = vec3<f32>(_e1274, _e1275, _e1276);
-                                                                        let _e1280 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
-                                                                        let _e1283 = bitcast<f32>((bitcast<u32>(_e1267) & 2147483647u));
-                                                                        let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
-                                                                        let _e1288 = bitcast<f32>((bitcast<u32>(_e1268) & 2147483647u));
-                                                                        let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
-                                                                        let _e1293 = bitcast<f32>((bitcast<u32>(_e1270) & 2147483647u));
-                                                                        let _e1296 = bitcast<f32>((bitcast<u32>(_e1271) & 2147483647u));
-                                                                        let _e1298 = select(_e1296, _e1293, (_e1293 > _e1296));
-                                                                        let _e1301 = bitcast<f32>((bitcast<u32>(_e1272) & 2147483647u));
-                                                                        let _e1303 = select(_e1301, _e1298, (_e1298 > _e1301));
-                                                                        let _e1306 = bitcast<f32>((bitcast<u32>(_e1274) & 2147483647u));
-                                                                        let _e1309 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
-                                                                        let _e1311 = select(_e1309, _e1306, (_e1306 > _e1309));
-                                                                        let _e1314 = bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u));
-                                                                        let _e1316 = select(_e1314, _e1311, (_e1311 > _e1314));
-                                                                        let _e1318 = select(_e1303, _e1290, (_e1290 > _e1303));
-                                                                        let _e1320 = select(_e1316, _e1318, (_e1318 > _e1316));
-                                                                        if (_e1290 == _e1320) {
-                                                                            phi_1632_ = _e1127;
-                                                                            phi_1633_ = _e1124;
-                                                                            phi_1634_ = _e1114;
-                                                                            phi_1635_ = _e1111;
-                                                                            phi_1636_ = _e1263;
-                                                                            phi_1637_ = _e1277;
-                                                                            phi_1638_ = _e1273;
-                                                                            phi_1639_ = _e1269;
+                                                                        let _e1427 = vec3<f32>(_e1264[0][0], _e1264[0][1], _e1264[0][2]);
+                                                                        let _e1428 = vec3<f32>(_e1264[1][0], _e1264[1][1], _e1264[1][2]);
+                                                                        let _e1429 = vec3<f32>(_e1264[2][0], _e1264[2][1], _e1264[2][2]);
+                                                                        let _e1430 = (_e1264[1][0] - _e1264[0][0]);
+                                                                        let _e1431 = (_e1264[1][1] - _e1264[0][1]);
+                                                                        let _e1432 = (_e1264[1][2] - _e1264[0][2]);
+                                                                        let _e1433 = vec3<f32>(_e1430, _e1431, _e1432);
+                                                                        let _e1434 = (_e1264[2][0] - _e1264[1][0]);
+                                                                        let _e1435 = (_e1264[2][1] - _e1264[1][1]);
+                                                                        let _e1436 = (_e1264[2][2] - _e1264[1][2]);
+                                                                        let _e1437 = vec3<f32>(_e1434, _e1435, _e1436);
+                                                                        let _e1438 = (_e1264[0][0] - _e1264[2][0]);
+                                                                        let _e1439 = (_e1264[0][1] - _e1264[2][1]);
+                                                                        let _e1440 = (_e1264[0][2] - _e1264[2][2]);
+                                                                        let _e1441 = vec3<f32>(_e1438, _e1439, _e1440);
+                                                                        let _e1444 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
+                                                                        let _e1447 = bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u));
+                                                                        let _e1449 = select(_e1447, _e1444, (_e1444 > _e1447));
+                                                                        let _e1452 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
+                                                                        let _e1454 = select(_e1452, _e1449, (_e1449 > _e1452));
+                                                                        let _e1457 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
+                                                                        let _e1460 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
+                                                                        let _e1462 = select(_e1460, _e1457, (_e1457 > _e1460));
+                                                                        let _e1465 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
+                                                                        let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
+                                                                        let _e1470 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
+                                                                        let _e1473 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
+                                                                        let _e1475 = select(_e1473, _e1470, (_e1470 > _e1473));
+                                                                        let _e1478 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
+                                                                        let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
+                                                                        let _e1482 = select(_e1467, _e1454, (_e1454 > _e1467));
+                                                                        let _e1484 = select(_e1480, _e1482, (_e1482 > _e1480));
+                                                                        if (_e1454 == _e1484) {
+                                                                            phi_1853_ = _e1291;
+                                                                            phi_1854_ = _e1288;
+                                                                            phi_1855_ = _e1278;
+                                                                            phi_1856_ = _e1275;
+                                                                            phi_1857_ = _e1427;
+                                                                            phi_1858_ = _e1441;
+                                                                            phi_1859_ = _e1437;
+                                                                            phi_1860_ = _e1433;
                                                                         } else {
-                                                                            let _e1322 = (_e1303 == _e1320);
-                                                                            let _e1327 = vec3(_e1322);
-                                                                            phi_1632_ = select(_e1114, _e1140, _e1322);
-                                                                            phi_1633_ = select(_e1111, _e1137, _e1322);
-                                                                            phi_1634_ = select(_e1140, _e1127, _e1322);
-                                                                            phi_1635_ = select(_e1137, _e1124, _e1322);
-                                                                            phi_1636_ = select(_e1265, _e1264, _e1327);
-                                                                            phi_1637_ = select(_e1273, _e1269, _e1327);
-                                                                            phi_1638_ = select(_e1269, _e1277, _e1327);
-                                                                            phi_1639_ = select(_e1277, _e1273, _e1327);
+                                                                            let _e1486 = (_e1467 == _e1484);
+                                                                            let _e1491 = vec3(_e1486);
+                                                                            phi_1853_ = select(_e1278, _e1304, _e1486);
+                                                                            phi_1854_ = select(_e1275, _e1301, _e1486);
+                                                                            phi_1855_ = select(_e1304, _e1291, _e1486);
+                                                                            phi_1856_ = select(_e1301, _e1288, _e1486);
+                                                                            phi_1857_ = select(_e1429, _e1428, _e1491);
+                                                                            phi_1858_ = select(_e1437, _e1433, _e1491);
+                                                                            phi_1859_ = select(_e1433, _e1441, _e1491);
+                                                                            phi_1860_ = select(_e1441, _e1437, _e1491);
                                                                         }
-                                                                        let _e1333 = phi_1632_;
-                                                                        let _e1335 = phi_1633_;
-                                                                        let _e1337 = phi_1634_;
-                                                                        let _e1339 = phi_1635_;
-                                                                        let _e1341 = phi_1636_;
-                                                                        let _e1343 = phi_1637_;
-                                                                        let _e1345 = phi_1638_;
-                                                                        let _e1347 = phi_1639_;
-                                                                        let _e1354 = ((_e1345.y * _e1343.z) - (_e1343.y * _e1345.z));
-                                                                        let _e1359 = ((_e1345.z * _e1343.x) - (_e1343.z * _e1345.x));
-                                                                        let _e1362 = ((_e1345.x * _e1343.y) - (_e1343.x * _e1345.y));
-                                                                        if (_e1162 >= _e1166) {
-                                                                            phi_1670_ = select(true, false, (_e1162 >= _e1170));
+                                                                        let _e1497 = phi_1853_;
+                                                                        let _e1499 = phi_1854_;
+                                                                        let _e1501 = phi_1855_;
+                                                                        let _e1503 = phi_1856_;
+                                                                        let _e1505 = phi_1857_;
+                                                                        let _e1507 = phi_1858_;
+                                                                        let _e1509 = phi_1859_;
+                                                                        let _e1511 = phi_1860_;
+                                                                        let _e1518 = ((_e1509.y * _e1507.z) - (_e1507.y * _e1509.z));
+                                                                        let _e1523 = ((_e1509.z * _e1507.x) - (_e1507.z * _e1509.x));
+                                                                        let _e1526 = ((_e1509.x * _e1507.y) - (_e1507.x * _e1509.y));
+                                                                        if (_e1326 >= _e1330) {
+                                                                            phi_1891_ = select(true, false, (_e1326 >= _e1334));
                                                                         } else {
-                                                                            phi_1670_ = true;
+                                                                            phi_1891_ = true;
                                                                         }
-                                                                        let _e1367 = phi_1670_;
-                                                                        if _e1367 {
-                                                                            phi_1679_ = select(_e1265, _e1264, vec3((_e1166 >= _e1170)));
+                                                                        let _e1531 = phi_1891_;
+                                                                        if _e1531 {
+                                                                            phi_1900_ = select(_e1429, _e1428, vec3((_e1330 >= _e1334)));
                                                                         } else {
-                                                                            phi_1679_ = _e1263;
+                                                                            phi_1900_ = _e1427;
                                                                         }
-                                                                        let _e1372 = phi_1679_;
-                                                                        let _e1383 = (((_e1354 * (_e1372.x - _e304)) + (_e1359 * (_e1372.y - _e343))) + (_e1362 * (_e1372.z - _e381)));
-                                                                        let _e1388 = (((_e1354 * _e329) + (_e1359 * _e367)) + (_e1362 * _e405));
-                                                                        let _e1389 = (_e1335 - _e1339);
-                                                                        let _e1390 = (_e1333 - _e1337);
-                                                                        let _e1398 = (-(((_e1339 * _e1389) + (_e1337 * _e1390))) / ((_e1389 * _e1389) + (_e1390 * _e1390)));
-                                                                        let _e1400 = select(1f, _e1398, (_e1398 < 1f));
-                                                                        let _e1402 = select(0f, _e1400, (_e1400 > 0f));
-                                                                        let _e1415 = ((_e1341.x + (_e1347.x * _e1402)) - _e304);
-                                                                        let _e1416 = ((_e1341.y + (_e1347.y * _e1402)) - _e343);
-                                                                        let _e1417 = ((_e1341.z + (_e1347.z * _e1402)) - _e381);
-                                                                        let _e1418 = (_e1417 / _e405);
-                                                                        let _e1430 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
-                                                                        let _e1433 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
-                                                                        let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
-                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
-                                                                        let _e1440 = select(_e1438, _e1435, (_e1435 > _e1438));
-                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1354) & 2147483647u));
-                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u));
-                                                                        let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
-                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1354 * _e1415) + (_e1359 * _e1416)) + (_e1362 * _e1417)) - _e1383)) & 2147483647u)) <= ((0.0000009536743f * select(_e1320, _e1440, (_e1440 > _e1320))) * select(_e1454, _e1451, (_e1451 > _e1454)))) {
-                                                                            let _e1464 = bitcast<f32>((bitcast<u32>(_e1345.x) & 2147483647u));
-                                                                            let _e1467 = bitcast<f32>((bitcast<u32>(_e1345.y) & 2147483647u));
-                                                                            let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
-                                                                            let _e1472 = bitcast<f32>((bitcast<u32>(_e1345.z) & 2147483647u));
-                                                                            let _e1478 = bitcast<f32>((bitcast<u32>(_e1343.x) & 2147483647u));
-                                                                            let _e1481 = bitcast<f32>((bitcast<u32>(_e1343.y) & 2147483647u));
-                                                                            let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
-                                                                            let _e1486 = bitcast<f32>((bitcast<u32>(_e1343.z) & 2147483647u));
-                                                                            let _e1490 = (bitcast<f32>((bitcast<u32>(_e1388) & 2147483647u)) > ((0.0000038146973f * select(_e1472, _e1469, (_e1469 > _e1472))) * select(_e1486, _e1483, (_e1483 > _e1486))));
-                                                                            if _e1490 {
-                                                                                phi_1844_ = (_e1383 / _e1388);
+                                                                        let _e1536 = phi_1900_;
+                                                                        let _e1547 = (((_e1518 * (_e1536.x - _e322)) + (_e1523 * (_e1536.y - _e391))) + (_e1526 * (_e1536.z - _e459)));
+                                                                        let _e1552 = (((_e1518 * _e362) + (_e1523 * _e430)) + (_e1526 * _e498));
+                                                                        let _e1553 = (_e1499 - _e1503);
+                                                                        let _e1554 = (_e1497 - _e1501);
+                                                                        let _e1562 = (-(((_e1503 * _e1553) + (_e1501 * _e1554))) / ((_e1553 * _e1553) + (_e1554 * _e1554)));
+                                                                        let _e1564 = select(1f, _e1562, (_e1562 < 1f));
+                                                                        let _e1566 = select(0f, _e1564, (_e1564 > 0f));
+                                                                        let _e1579 = ((_e1505.x + (_e1511.x * _e1566)) - _e322);
+                                                                        let _e1580 = ((_e1505.y + (_e1511.y * _e1566)) - _e391);
+                                                                        let _e1581 = ((_e1505.z + (_e1511.z * _e1566)) - _e459);
+                                                                        let _e1582 = (_e1581 / _e498);
+                                                                        let _e1594 = bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u));
+                                                                        let _e1597 = bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u));
+                                                                        let _e1599 = select(_e1597, _e1594, (_e1594 > _e1597));
+                                                                        let _e1602 = bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u));
+                                                                        let _e1604 = select(_e1602, _e1599, (_e1599 > _e1602));
+                                                                        let _e1610 = bitcast<f32>((bitcast<u32>(_e1518) & 2147483647u));
+                                                                        let _e1613 = bitcast<f32>((bitcast<u32>(_e1523) & 2147483647u));
+                                                                        let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
+                                                                        let _e1618 = bitcast<f32>((bitcast<u32>(_e1526) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1518 * _e1579) + (_e1523 * _e1580)) + (_e1526 * _e1581)) - _e1547)) & 2147483647u)) <= ((0.0000009536743f * select(_e1484, _e1604, (_e1604 > _e1484))) * select(_e1618, _e1615, (_e1615 > _e1618)))) {
+                                                                            let _e1628 = bitcast<f32>((bitcast<u32>(_e1509.x) & 2147483647u));
+                                                                            let _e1631 = bitcast<f32>((bitcast<u32>(_e1509.y) & 2147483647u));
+                                                                            let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
+                                                                            let _e1636 = bitcast<f32>((bitcast<u32>(_e1509.z) & 2147483647u));
+                                                                            let _e1642 = bitcast<f32>((bitcast<u32>(_e1507.x) & 2147483647u));
+                                                                            let _e1645 = bitcast<f32>((bitcast<u32>(_e1507.y) & 2147483647u));
+                                                                            let _e1647 = select(_e1645, _e1642, (_e1642 > _e1645));
+                                                                            let _e1650 = bitcast<f32>((bitcast<u32>(_e1507.z) & 2147483647u));
+                                                                            let _e1654 = (bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u)) > ((0.0000038146973f * select(_e1636, _e1633, (_e1633 > _e1636))) * select(_e1650, _e1647, (_e1647 > _e1650))));
+                                                                            if _e1654 {
+                                                                                phi_2065_ = (_e1547 / _e1552);
                                                                             } else {
-                                                                                phi_1844_ = f32();
+                                                                                phi_2065_ = f32();
                                                                             }
-                                                                            let _e1493 = phi_1844_;
-                                                                            phi_1846_ = _e1493;
-                                                                            phi_1847_ = select(true, false, _e1490);
+                                                                            let _e1657 = phi_2065_;
+                                                                            phi_2067_ = _e1657;
+                                                                            phi_2068_ = select(true, false, _e1654);
                                                                         } else {
-                                                                            phi_1846_ = f32();
-                                                                            phi_1847_ = true;
+                                                                            phi_2067_ = f32();
+                                                                            phi_2068_ = true;
                                                                         }
-                                                                        let _e1496 = phi_1846_;
-                                                                        let _e1498 = phi_1847_;
-                                                                        if _e1498 {
-                                                                            let _e1506 = (((_e1354 * (_e1415 - (_e329 * _e1418))) + (_e1359 * (_e1416 - (_e367 * _e1418)))) / _e1388);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1506) & 2147483647u)) <= _e1320) {
-                                                                                phi_1867_ = (_e1418 + _e1506);
+                                                                        let _e1660 = phi_2067_;
+                                                                        let _e1662 = phi_2068_;
+                                                                        if _e1662 {
+                                                                            let _e1670 = (((_e1518 * (_e1579 - (_e362 * _e1582))) + (_e1523 * (_e1580 - (_e430 * _e1582)))) / _e1552);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1670) & 2147483647u)) <= _e1484) {
+                                                                                phi_2088_ = (_e1582 + _e1670);
                                                                             } else {
-                                                                                phi_1867_ = _e1418;
+                                                                                phi_2088_ = _e1582;
                                                                             }
-                                                                            let _e1513 = phi_1867_;
-                                                                            phi_1868_ = _e1513;
+                                                                            let _e1677 = phi_2088_;
+                                                                            phi_2089_ = _e1677;
                                                                         } else {
-                                                                            phi_1868_ = _e1496;
+                                                                            phi_2089_ = _e1660;
                                                                         }
-                                                                        let _e1515 = phi_1868_;
-                                                                        let _e1517 = select(_e1253, _e1515, (_e1515 < _e1253));
-                                                                        let _e1519 = select(_e1245, _e1517, (_e1517 > _e1245));
-                                                                        if (_e1519 >= _e455) {
-                                                                            let _e1521 = (_e1519 <= _e1004.member);
-                                                                            if _e1521 {
-                                                                                let _e1522 = (1f / _e1172);
-                                                                                phi_1891_ = type_24(_e1519, (_e1166 * _e1522), (_e1170 * _e1522), _e1033);
+                                                                        let _e1679 = phi_2089_;
+                                                                        let _e1681 = select(_e1417, _e1679, (_e1679 < _e1417));
+                                                                        let _e1683 = select(_e1409, _e1681, (_e1681 > _e1409));
+                                                                        if (_e1683 >= _e613) {
+                                                                            let _e1685 = (_e1683 <= _e1168.member);
+                                                                            if _e1685 {
+                                                                                let _e1686 = (1f / _e1336);
+                                                                                phi_2112_ = type_24(_e1683, (_e1330 * _e1686), (_e1334 * _e1686), _e1197);
                                                                             } else {
-                                                                                phi_1891_ = type_24();
+                                                                                phi_2112_ = type_24();
                                                                             }
-                                                                            let _e1527 = phi_1891_;
-                                                                            phi_1893_ = _e1527;
-                                                                            phi_1894_ = select(true, false, _e1521);
+                                                                            let _e1691 = phi_2112_;
+                                                                            phi_2114_ = _e1691;
+                                                                            phi_2115_ = select(true, false, _e1685);
                                                                         } else {
-                                                                            phi_1893_ = type_24();
-                                                                            phi_1894_ = true;
+                                                                            phi_2114_ = type_24();
+                                                                            phi_2115_ = true;
                                                                         }
-                                                                        let _e1530 = phi_1893_;
-                                                                        let _e1532 = phi_1894_;
-                                                                        if _e1532 {
-                                                                            phi_1898_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1694 = phi_2114_;
+                                                                        let _e1696 = phi_2115_;
+                                                                        if _e1696 {
+                                                                            phi_2119_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1898_ = _e1530;
+                                                                            phi_2119_ = _e1694;
                                                                         }
-                                                                        let _e1534 = phi_1898_;
-                                                                        phi_1899_ = _e1534;
+                                                                        let _e1698 = phi_2119_;
+                                                                        phi_2120_ = _e1698;
                                                                     }
-                                                                    let _e1536 = phi_1899_;
-                                                                    phi_1900_ = _e1536;
-                                                                    phi_1901_ = _e1262;
+                                                                    let _e1700 = phi_2120_;
+                                                                    phi_2121_ = _e1700;
+                                                                    phi_2122_ = _e1426;
                                                                 }
-                                                                let _e1538 = phi_1900_;
-                                                                let _e1540 = phi_1901_;
-                                                                phi_1905_ = _e1538;
-                                                                phi_1906_ = _e1540;
+                                                                let _e1702 = phi_2121_;
+                                                                let _e1704 = phi_2122_;
+                                                                phi_2126_ = _e1702;
+                                                                phi_2127_ = _e1704;
                                                             }
-                                                            let _e1542 = phi_1905_;
-                                                            let _e1544 = phi_1906_;
-                                                            phi_1907_ = _e1542;
-                                                            phi_1908_ = _e1197;
-                                                            phi_1909_ = _e1544;
+                                                            let _e1706 = phi_2126_;
+                                                            let _e1708 = phi_2127_;
+                                                            phi_2128_ = _e1706;
+                                                            phi_2129_ = _e1361;
+                                                            phi_2130_ = _e1708;
                                                         }
-                                                        let _e1546 = phi_1907_;
-                                                        let _e1548 = phi_1908_;
-                                                        let _e1550 = phi_1909_;
-                                                        phi_1910_ = _e1546;
-                                                        phi_1911_ = _e1548;
-                                                        phi_1912_ = _e1550;
+                                                        let _e1710 = phi_2128_;
+                                                        let _e1712 = phi_2129_;
+                                                        let _e1714 = phi_2130_;
+                                                        phi_2131_ = _e1710;
+                                                        phi_2132_ = _e1712;
+                                                        phi_2133_ = _e1714;
                                                     }
-                                                    let _e1552 = phi_1910_;
-                                                    let _e1554 = phi_1911_;
-                                                    let _e1556 = phi_1912_;
-                                                    phi_1920_ = _e1552;
-                                                    phi_1921_ = select(_e1556, true, _e1554);
+                                                    let _e1716 = phi_2131_;
+                                                    let _e1718 = phi_2132_;
+                                                    let _e1720 = phi_2133_;
+                                                    phi_2141_ = _e1716;
+                                                    phi_2142_ = select(_e1720, true, _e1718);
                                                 } else {
-                                                    phi_1920_ = type_24();
-                                                    phi_1921_ = true;
+                                                    phi_2141_ = type_24();
+                                                    phi_2142_ = true;
                                                 }
-                                                let _e1559 = phi_1920_;
-                                                let _e1561 = phi_1921_;
-                                                if _e1561 {
-                                                    phi_1925_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1723 = phi_2141_;
+                                                let _e1725 = phi_2142_;
+                                                if _e1725 {
+                                                    phi_2146_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1925_ = _e1559;
+                                                    phi_2146_ = _e1723;
                                                 }
-                                                let _e1563 = phi_1925_;
-                                                if (_e1563.member_3 != 4294967295u) {
-                                                    if (_e1033 != 4294967295u) {
-                                                        phi_1936_ = type_38(_e1004.member, true);
+                                                let _e1727 = phi_2146_;
+                                                if (_e1727.member_3 != 4294967295u) {
+                                                    if (_e1197 != 4294967295u) {
+                                                        phi_2157_ = type_38(_e1168.member, true);
                                                     } else {
-                                                        phi_1936_ = _e1004;
+                                                        phi_2157_ = _e1168;
                                                     }
-                                                    let _e1571 = phi_1936_;
-                                                    phi_1937_ = _e1571;
+                                                    let _e1735 = phi_2157_;
+                                                    phi_2158_ = _e1735;
                                                 } else {
-                                                    phi_1937_ = _e1004;
+                                                    phi_2158_ = _e1168;
                                                 }
-                                                let _e1573 = phi_1937_;
-                                                phi_950_ = _e1573;
+                                                let _e1737 = phi_2158_;
+                                                phi_1171_ = _e1737;
                                             } else {
-                                                phi_950_ = type_38();
+                                                phi_1171_ = type_38();
                                             }
-                                            let _e1575 = phi_950_;
+                                            let _e1739 = phi_1171_;
                                             continue;
                                             continuing {
-                                                phi_949_ = _e1575;
-                                                phi_952_ = _e1019;
-                                                phi_3376_ = _e497;
-                                                break if !(_e1025);
+                                                phi_1170_ = _e1739;
+                                                phi_1173_ = _e1183;
+                                                phi_3606_ = _e655;
+                                                break if !(_e1189);
                                             }
                                         }
-                                        let _e1578 = phi_3376_;
-                                        phi_3515_ = _e1578;
-                                        if _e1578 {
+                                        let _e1742 = phi_3606_;
+                                        phi_3763_ = _e1742;
+                                        if _e1742 {
                                             break;
                                         }
-                                        let _e1580 = local_10;
-                                        phi_3519_ = _e1578;
-                                        let _e1746 = local_12;
-                                        phi_3143_ = _e1746;
-                                        phi_3144_ = _e538;
-                                        phi_3145_ = false;
-                                        phi_3146_ = select(_e542, 0u, _e1580.member_1);
+                                        let _e1744 = local_10;
+                                        phi_3767_ = _e1742;
+                                        let _e1916 = local_12;
+                                        phi_3364_ = _e1916;
+                                        phi_3365_ = _e696;
+                                        phi_3366_ = false;
+                                        phi_3367_ = select(_e700, 0u, _e1744.member_1);
                                     } else {
-                                        if (_e538.member_1 >= _e85) {
-                                            phi_2699_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e696.member_1 >= _e88) {
+                                            phi_2920_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e538.member_1 < _e85) {
+                                            if (_e696.member_1 < _e88) {
                                             } else {
-                                                phi_3515_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e553 = (_e255 * 2u);
-                                            let _e555 = ((1u + _e553) % 7u);
-                                            if (_e555 < 7u) {
+                                            let _e711 = (_e258 * 2u);
+                                            let _e713 = ((1u + _e711) % 7u);
+                                            if (_e713 < 7u) {
                                             } else {
-                                                phi_3515_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e560 = global_6.member[_e538.member_1][_e555];
-                                            let _e562 = ((_e553 + 2u) % 7u);
-                                            if (_e562 < 7u) {
+                                            let _e718 = global_6.member[_e696.member_1][_e713];
+                                            let _e720 = ((_e711 + 2u) % 7u);
+                                            if (_e720 < 7u) {
                                             } else {
-                                                phi_3515_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e567 = global_6.member[_e538.member_1][_e562];
-                                            let _e568 = (_e254 * 2u);
-                                            let _e570 = ((1u + _e568) % 7u);
-                                            if (_e570 < 7u) {
+                                            let _e725 = global_6.member[_e696.member_1][_e720];
+                                            let _e726 = (_e257 * 2u);
+                                            let _e728 = ((1u + _e726) % 7u);
+                                            if (_e728 < 7u) {
                                             } else {
-                                                phi_3515_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e575 = global_6.member[_e538.member_1][_e570];
-                                            let _e577 = ((_e568 + 2u) % 7u);
-                                            if (_e577 < 7u) {
+                                            let _e733 = global_6.member[_e696.member_1][_e728];
+                                            let _e735 = ((_e726 + 2u) % 7u);
+                                            if (_e735 < 7u) {
                                             } else {
-                                                phi_3515_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e582 = global_6.member[_e538.member_1][_e577];
-                                            let _e583 = (_e256 * 2u);
-                                            let _e585 = ((1u + _e583) % 7u);
-                                            if (_e585 < 7u) {
+                                            let _e740 = global_6.member[_e696.member_1][_e735];
+                                            let _e741 = (_e259 * 2u);
+                                            let _e743 = ((1u + _e741) % 7u);
+                                            if (_e743 < 7u) {
                                             } else {
-                                                phi_3515_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e590 = global_6.member[_e538.member_1][_e585];
-                                            let _e592 = ((_e583 + 2u) % 7u);
-                                            if (_e592 < 7u) {
+                                            let _e748 = global_6.member[_e696.member_1][_e743];
+                                            let _e750 = ((_e741 + 2u) % 7u);
+                                            if (_e750 < 7u) {
                                             } else {
-                                                phi_3515_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e597 = global_6.member[_e538.member_1][_e592];
-                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.x - _e538.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.y - _e538.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.z - _e538.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e624 = select(_e135, _e620, (_e620 > _e135));
-                                            let _e626 = select(_e135, _e621, (_e621 > _e135));
-                                            let _e628 = select(_e135, _e622, (_e622 > _e135));
-                                            let _e653 = bitcast<u32>((f32(bitcast<i32>((_e560 & 2097151u))) * _e624));
-                                            let _e658 = (bitcast<i32>((_e560 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e661 = bitcast<f32>((_e653 & bitcast<u32>(_e658)));
-                                            let _e662 = bitcast<u32>((f32(bitcast<i32>((_e575 & 2097151u))) * _e626));
-                                            let _e667 = (bitcast<i32>((_e575 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
-                                            let _e671 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e628));
-                                            let _e676 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
-                                            let _e683 = bitcast<f32>((_e653 & bitcast<u32>(~(_e658))));
-                                            let _e687 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
-                                            let _e691 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
-                                            let _e692 = bitcast<u32>((f32(bitcast<i32>((_e567 & 2097151u))) * _e624));
-                                            let _e697 = (bitcast<i32>((_e567 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e700 = bitcast<f32>((_e692 & bitcast<u32>(_e697)));
-                                            let _e701 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e626));
-                                            let _e706 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
-                                            let _e710 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e628));
-                                            let _e715 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
-                                            let _e722 = bitcast<f32>((_e692 & bitcast<u32>(~(_e697))));
-                                            let _e726 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
-                                            let _e730 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
-                                            let _e760 = global_6.member[_e538.member_1][0u];
-                                            let _e764 = global_6.member[_e538.member_1][2u];
-                                            let _e768 = global_6.member[_e538.member_1][4u];
-                                            let _e772 = global_6.member[_e538.member_1][6u];
-                                            let _e784 = (((_e764 >> bitcast<u32>(22i)) | ((_e768 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e772 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e785 = (_e760 & 268435455u);
-                                            let _e786 = (_e784 & 268435455u);
-                                            let _e789 = ((_e760 >> bitcast<u32>(28u)) & 7u);
-                                            let _e797 = ((_e760 >> bitcast<u32>(31i)) | (((_e784 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e798 = (_e789 != 0u);
-                                            if (_e789 == 0u) {
-                                                phi_2661_ = _e785;
+                                            let _e755 = global_6.member[_e696.member_1][_e750];
+                                            let _e778 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.x - _e696.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e779 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.y - _e696.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e780 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.z - _e696.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e782 = select(_e138, _e778, (_e778 > _e138));
+                                            let _e784 = select(_e138, _e779, (_e779 > _e138));
+                                            let _e786 = select(_e138, _e780, (_e780 > _e138));
+                                            let _e817 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e718 & 2097151u))) - 8388608f) * _e782));
+                                            let _e822 = (bitcast<i32>((_e718 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e825 = bitcast<f32>((_e817 & bitcast<u32>(_e822)));
+                                            let _e826 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 2097151u))) - 8388608f) * _e784));
+                                            let _e831 = (bitcast<i32>((_e733 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e834 = bitcast<f32>((_e826 & bitcast<u32>(_e831)));
+                                            let _e835 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e748 & 2097151u))) - 8388608f) * _e786));
+                                            let _e840 = (bitcast<i32>((_e748 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e843 = bitcast<f32>((_e835 & bitcast<u32>(_e840)));
+                                            let _e847 = bitcast<f32>((_e817 & bitcast<u32>(~(_e822))));
+                                            let _e851 = bitcast<f32>((_e826 & bitcast<u32>(~(_e831))));
+                                            let _e855 = bitcast<f32>((_e835 & bitcast<u32>(~(_e840))));
+                                            let _e856 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 2097151u))) - 8388608f) * _e782));
+                                            let _e861 = (bitcast<i32>((_e725 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e864 = bitcast<f32>((_e856 & bitcast<u32>(_e861)));
+                                            let _e865 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 2097151u))) - 8388608f) * _e784));
+                                            let _e870 = (bitcast<i32>((_e740 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e873 = bitcast<f32>((_e865 & bitcast<u32>(_e870)));
+                                            let _e874 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e755 & 2097151u))) - 8388608f) * _e786));
+                                            let _e879 = (bitcast<i32>((_e755 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e882 = bitcast<f32>((_e874 & bitcast<u32>(_e879)));
+                                            let _e886 = bitcast<f32>((_e856 & bitcast<u32>(~(_e861))));
+                                            let _e890 = bitcast<f32>((_e865 & bitcast<u32>(~(_e870))));
+                                            let _e894 = bitcast<f32>((_e874 & bitcast<u32>(~(_e879))));
+                                            let _e924 = global_6.member[_e696.member_1][0u];
+                                            let _e928 = global_6.member[_e696.member_1][2u];
+                                            let _e932 = global_6.member[_e696.member_1][4u];
+                                            let _e936 = global_6.member[_e696.member_1][6u];
+                                            let _e948 = (((_e928 >> bitcast<u32>(22i)) | ((_e932 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e936 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e949 = (_e924 & 268435455u);
+                                            let _e950 = (_e948 & 268435455u);
+                                            let _e953 = ((_e924 >> bitcast<u32>(28u)) & 7u);
+                                            let _e961 = ((_e924 >> bitcast<u32>(31i)) | (((_e948 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e962 = (_e953 != 0u);
+                                            if (_e953 == 0u) {
+                                                phi_2882_ = _e949;
                                             } else {
-                                                if (_e789 == 7u) {
-                                                    phi_2660_ = 2147483648u;
+                                                if (_e953 == 7u) {
+                                                    phi_2881_ = 2147483648u;
                                                 } else {
-                                                    phi_2660_ = ((2147483648u | (_e789 << bitcast<u32>(28u))) | (_e786 & 268435455u));
+                                                    phi_2881_ = ((2147483648u | (_e953 << bitcast<u32>(28u))) | (_e950 & 268435455u));
                                                 }
-                                                let _e807 = phi_2660_;
-                                                phi_2661_ = _e807;
+                                                let _e971 = phi_2881_;
+                                                phi_2882_ = _e971;
                                             }
-                                            let _e809 = phi_2661_;
-                                            if _e798 {
-                                                let _e810 = (_e789 != 7u);
-                                                if _e810 {
-                                                    phi_2671_ = (_e786 + _e789);
+                                            let _e973 = phi_2882_;
+                                            if _e962 {
+                                                let _e974 = (_e953 != 7u);
+                                                if _e974 {
+                                                    phi_2892_ = (_e950 + _e953);
                                                 } else {
-                                                    phi_2671_ = u32();
+                                                    phi_2892_ = u32();
                                                 }
-                                                let _e813 = phi_2671_;
-                                                phi_2673_ = _e813;
-                                                phi_2674_ = select(true, false, _e810);
+                                                let _e977 = phi_2892_;
+                                                phi_2894_ = _e977;
+                                                phi_2895_ = select(true, false, _e974);
                                             } else {
-                                                phi_2673_ = u32();
-                                                phi_2674_ = true;
+                                                phi_2894_ = u32();
+                                                phi_2895_ = true;
                                             }
-                                            let _e816 = phi_2673_;
-                                            let _e818 = phi_2674_;
-                                            if (_e797 == 0u) {
-                                                phi_2695_ = (_e785 + select(0u, 1u, !(_e798)));
+                                            let _e980 = phi_2894_;
+                                            let _e982 = phi_2895_;
+                                            if (_e961 == 0u) {
+                                                phi_2916_ = (_e949 + select(0u, 1u, !(_e962)));
                                             } else {
-                                                if (_e797 == 7u) {
-                                                    phi_2694_ = 2147483648u;
+                                                if (_e961 == 7u) {
+                                                    phi_2915_ = 2147483648u;
                                                 } else {
-                                                    phi_2694_ = ((2147483648u | (_e797 << bitcast<u32>(28u))) | (select(_e816, _e786, _e818) & 268435455u));
+                                                    phi_2915_ = ((2147483648u | (_e961 << bitcast<u32>(28u))) | (select(_e980, _e950, _e982) & 268435455u));
                                                 }
-                                                let _e831 = phi_2694_;
-                                                phi_2695_ = _e831;
+                                                let _e995 = phi_2915_;
+                                                phi_2916_ = _e995;
                                             }
-                                            let _e833 = phi_2695_;
-                                            phi_2699_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e538.member.member.x + _e661), (_e538.member.member.x + _e683), (_e538.member.member_1.x - _e700), (_e538.member.member_1.x - _e722)), vec4<f32>((_e538.member.member.y + _e670), (_e538.member.member.y + _e687), (_e538.member.member_1.y - _e709), (_e538.member.member_1.y - _e726)), vec4<f32>((_e538.member.member.z + _e679), (_e538.member.member.z + _e691), (_e538.member.member_1.z - _e718), (_e538.member.member_1.z - _e730))), type_49(type_28((_e538.member.member + vec4<f32>(_e661, _e670, _e679, 0f)), (_e538.member.member_1 - vec4<f32>(_e700, _e709, _e718, 0f))), _e809), type_49(type_28((_e538.member.member + vec4<f32>(_e683, _e687, _e691, 0f)), (_e538.member.member_1 - vec4<f32>(_e722, _e726, _e730, 0f))), _e833));
+                                            let _e997 = phi_2916_;
+                                            phi_2920_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e696.member.member.x + _e825), (_e696.member.member.x + _e847), (_e696.member.member_1.x - _e864), (_e696.member.member_1.x - _e886)), vec4<f32>((_e696.member.member.y + _e834), (_e696.member.member.y + _e851), (_e696.member.member_1.y - _e873), (_e696.member.member_1.y - _e890)), vec4<f32>((_e696.member.member.z + _e843), (_e696.member.member.z + _e855), (_e696.member.member_1.z - _e882), (_e696.member.member_1.z - _e894))), type_49(type_28((_e696.member.member + vec4<f32>(_e825, _e834, _e843, 0f)), (_e696.member.member_1 - vec4<f32>(_e864, _e873, _e882, 0f))), _e973), type_49(type_28((_e696.member.member + vec4<f32>(_e847, _e851, _e855, 0f)), (_e696.member.member_1 - vec4<f32>(_e886, _e890, _e894, 0f))), _e997));
                                         }
-                                        let _e838 = phi_2699_;
-                                        let _e850 = ((_e838.member[0].x - _e327) * _e332);
-                                        let _e851 = ((_e838.member[0].y - _e327) * _e332);
-                                        let _e852 = ((_e838.member[0].z - _e328) * _e332);
-                                        let _e853 = ((_e838.member[0].w - _e328) * _e332);
-                                        let _e863 = ((_e838.member[1].x - _e365) * _e370);
-                                        let _e864 = ((_e838.member[1].y - _e365) * _e370);
-                                        let _e865 = ((_e838.member[1].z - _e366) * _e370);
-                                        let _e866 = ((_e838.member[1].w - _e366) * _e370);
-                                        let _e876 = ((_e838.member[2].x - _e403) * _e408);
-                                        let _e877 = ((_e838.member[2].y - _e403) * _e408);
-                                        let _e878 = ((_e838.member[2].z - _e404) * _e408);
-                                        let _e879 = ((_e838.member[2].w - _e404) * _e408);
-                                        let _e881 = select(_e878, _e876, (_e876 < _e878));
-                                        let _e883 = select(_e879, _e877, (_e877 < _e879));
-                                        let _e885 = select(_e878, _e876, (_e876 > _e878));
-                                        let _e887 = select(_e879, _e877, (_e877 > _e879));
-                                        let _e889 = select(_e852, _e850, (_e850 < _e852));
-                                        let _e891 = select(_e853, _e851, (_e851 < _e853));
-                                        let _e893 = select(_e865, _e863, (_e863 < _e865));
-                                        let _e895 = select(_e866, _e864, (_e864 < _e866));
-                                        let _e897 = select(_e893, _e889, (_e889 > _e893));
-                                        let _e899 = select(_e895, _e891, (_e891 > _e895));
-                                        let _e901 = select(_e881, _e897, (_e897 > _e881));
-                                        let _e903 = select(_e883, _e899, (_e899 > _e883));
-                                        let _e905 = select(_e852, _e850, (_e850 > _e852));
-                                        let _e907 = select(_e853, _e851, (_e851 > _e853));
-                                        let _e909 = select(_e865, _e863, (_e863 > _e865));
-                                        let _e911 = select(_e866, _e864, (_e864 > _e866));
-                                        let _e913 = select(_e909, _e905, (_e905 < _e909));
-                                        let _e915 = select(_e911, _e907, (_e907 < _e911));
-                                        let _e920 = -(_e881);
-                                        let _e921 = -(_e883);
-                                        let _e928 = (select(_e885, _e913, (_e913 < _e885)) + (select(_e920, _e885, (_e885 > _e920)) * 0.0000019073523f));
-                                        let _e929 = (select(_e887, _e915, (_e915 < _e887)) + (select(_e921, _e887, (_e887 > _e921)) * 0.0000019073523f));
-                                        let _e931 = select(_e455, _e901, (_e901 > _e455));
-                                        let _e933 = select(_e455, _e903, (_e903 > _e455));
-                                        let _e938 = (_e931 <= select(_e499.member, _e928, (_e928 < _e499.member)));
-                                        let _e939 = (_e933 <= select(_e499.member, _e929, (_e929 < _e499.member)));
-                                        let _e940 = (_e931 <= _e933);
-                                        if _e938 {
-                                            if _e939 {
-                                                if _e940 {
-                                                    phi_3043_ = _e838.member_2;
+                                        let _e1002 = phi_2920_;
+                                        let _e1014 = ((_e1002.member[0].x - _e360) * _e365);
+                                        let _e1015 = ((_e1002.member[0].y - _e360) * _e365);
+                                        let _e1016 = ((_e1002.member[0].z - _e361) * _e365);
+                                        let _e1017 = ((_e1002.member[0].w - _e361) * _e365);
+                                        let _e1027 = ((_e1002.member[1].x - _e428) * _e433);
+                                        let _e1028 = ((_e1002.member[1].y - _e428) * _e433);
+                                        let _e1029 = ((_e1002.member[1].z - _e429) * _e433);
+                                        let _e1030 = ((_e1002.member[1].w - _e429) * _e433);
+                                        let _e1040 = ((_e1002.member[2].x - _e496) * _e501);
+                                        let _e1041 = ((_e1002.member[2].y - _e496) * _e501);
+                                        let _e1042 = ((_e1002.member[2].z - _e497) * _e501);
+                                        let _e1043 = ((_e1002.member[2].w - _e497) * _e501);
+                                        let _e1045 = select(_e1042, _e1040, (_e1040 < _e1042));
+                                        let _e1047 = select(_e1043, _e1041, (_e1041 < _e1043));
+                                        let _e1049 = select(_e1042, _e1040, (_e1040 > _e1042));
+                                        let _e1051 = select(_e1043, _e1041, (_e1041 > _e1043));
+                                        let _e1053 = select(_e1016, _e1014, (_e1014 < _e1016));
+                                        let _e1055 = select(_e1017, _e1015, (_e1015 < _e1017));
+                                        let _e1057 = select(_e1029, _e1027, (_e1027 < _e1029));
+                                        let _e1059 = select(_e1030, _e1028, (_e1028 < _e1030));
+                                        let _e1061 = select(_e1057, _e1053, (_e1053 > _e1057));
+                                        let _e1063 = select(_e1059, _e1055, (_e1055 > _e1059));
+                                        let _e1065 = select(_e1045, _e1061, (_e1061 > _e1045));
+                                        let _e1067 = select(_e1047, _e1063, (_e1063 > _e1047));
+                                        let _e1069 = select(_e1016, _e1014, (_e1014 > _e1016));
+                                        let _e1071 = select(_e1017, _e1015, (_e1015 > _e1017));
+                                        let _e1073 = select(_e1029, _e1027, (_e1027 > _e1029));
+                                        let _e1075 = select(_e1030, _e1028, (_e1028 > _e1030));
+                                        let _e1077 = select(_e1073, _e1069, (_e1069 < _e1073));
+                                        let _e1079 = select(_e1075, _e1071, (_e1071 < _e1075));
+                                        let _e1084 = -(_e1045);
+                                        let _e1085 = -(_e1047);
+                                        let _e1092 = (select(_e1049, _e1077, (_e1077 < _e1049)) + (select(_e1084, _e1049, (_e1049 > _e1084)) * 0.0000019073523f));
+                                        let _e1093 = (select(_e1051, _e1079, (_e1079 < _e1051)) + (select(_e1085, _e1051, (_e1051 > _e1085)) * 0.0000019073523f));
+                                        let _e1095 = select(_e613, _e1065, (_e1065 > _e613));
+                                        let _e1097 = select(_e613, _e1067, (_e1067 > _e613));
+                                        let _e1102 = (_e1095 <= select(_e657.member, _e1092, (_e1092 < _e657.member)));
+                                        let _e1103 = (_e1097 <= select(_e657.member, _e1093, (_e1093 < _e657.member)));
+                                        let _e1104 = (_e1095 <= _e1097);
+                                        if _e1102 {
+                                            if _e1103 {
+                                                if _e1104 {
+                                                    phi_3264_ = _e1002.member_2;
                                                 } else {
-                                                    phi_3043_ = _e838.member_1;
+                                                    phi_3264_ = _e1002.member_1;
                                                 }
-                                                let _e944 = phi_3043_;
-                                                let _e966 = (_e542 % 128u);
-                                                let _e967 = (_e966 < 128u);
-                                                if _e967 {
+                                                let _e1108 = phi_3264_;
+                                                let _e1130 = (_e700 % 128u);
+                                                let _e1131 = (_e1130 < 128u);
+                                                if _e1131 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_8[_e966] = _e944.member_1;
-                                                if _e967 {
+                                                local_8[_e1130] = _e1108.member_1;
+                                                if _e1131 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_7[_e966] = _e944.member.member.x;
-                                                if _e967 {
+                                                local_7[_e1130] = _e1108.member.member.x;
+                                                if _e1131 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_6[_e966] = _e944.member.member.y;
-                                                if _e967 {
+                                                local_6[_e1130] = _e1108.member.member.y;
+                                                if _e1131 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_5[_e966] = _e944.member.member.z;
-                                                if _e967 {
+                                                local_5[_e1130] = _e1108.member.member.z;
+                                                if _e1131 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_4[_e966] = _e944.member.member_1.x;
-                                                if _e967 {
+                                                local_4[_e1130] = _e1108.member.member_1.x;
+                                                if _e1131 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_3[_e966] = _e944.member.member_1.y;
-                                                if _e967 {
+                                                local_3[_e1130] = _e1108.member.member_1.y;
+                                                if _e1131 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_2[_e966] = _e944.member.member_1.z;
-                                                if _e967 {
+                                                local_2[_e1130] = _e1108.member.member_1.z;
+                                                if _e1131 {
                                                 } else {
-                                                    phi_3515_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_9[_e966] = select(_e933, _e931, (_e931 > _e933));
-                                                if _e940 {
-                                                    phi_3120_ = _e838.member_1;
+                                                local_9[_e1130] = select(_e1097, _e1095, (_e1095 > _e1097));
+                                                if _e1104 {
+                                                    phi_3341_ = _e1002.member_1;
                                                 } else {
-                                                    phi_3120_ = _e838.member_2;
+                                                    phi_3341_ = _e1002.member_2;
                                                 }
-                                                let _e980 = phi_3120_;
-                                                phi_3121_ = _e980;
-                                                phi_3122_ = (_e542 + 1u);
+                                                let _e1144 = phi_3341_;
+                                                phi_3342_ = _e1144;
+                                                phi_3343_ = (_e700 + 1u);
                                             } else {
-                                                phi_3121_ = type_49();
-                                                phi_3122_ = u32();
+                                                phi_3342_ = type_49();
+                                                phi_3343_ = u32();
                                             }
-                                            let _e982 = phi_3121_;
-                                            let _e984 = phi_3122_;
-                                            phi_3124_ = _e982;
-                                            phi_3125_ = _e984;
-                                            phi_3126_ = select(true, false, _e939);
+                                            let _e1146 = phi_3342_;
+                                            let _e1148 = phi_3343_;
+                                            phi_3345_ = _e1146;
+                                            phi_3346_ = _e1148;
+                                            phi_3347_ = select(true, false, _e1103);
                                         } else {
-                                            phi_3124_ = type_49();
-                                            phi_3125_ = u32();
-                                            phi_3126_ = true;
+                                            phi_3345_ = type_49();
+                                            phi_3346_ = u32();
+                                            phi_3347_ = true;
                                         }
-                                        let _e987 = phi_3124_;
-                                        let _e989 = phi_3125_;
-                                        let _e991 = phi_3126_;
-                                        if _e991 {
-                                            if _e938 {
-                                                phi_3135_ = _e838.member_1;
+                                        let _e1151 = phi_3345_;
+                                        let _e1153 = phi_3346_;
+                                        let _e1155 = phi_3347_;
+                                        if _e1155 {
+                                            if _e1102 {
+                                                phi_3356_ = _e1002.member_1;
                                             } else {
-                                                phi_3135_ = _e838.member_2;
+                                                phi_3356_ = _e1002.member_2;
                                             }
-                                            let _e995 = phi_3135_;
-                                            phi_3140_ = _e995;
-                                            phi_3141_ = select(_e939, true, _e938);
+                                            let _e1159 = phi_3356_;
+                                            phi_3361_ = _e1159;
+                                            phi_3362_ = select(_e1103, true, _e1102);
                                         } else {
-                                            phi_3140_ = _e987;
-                                            phi_3141_ = _e540;
+                                            phi_3361_ = _e1151;
+                                            phi_3362_ = _e698;
                                         }
-                                        let _e998 = phi_3140_;
-                                        let _e1000 = phi_3141_;
-                                        phi_3519_ = _e497;
-                                        phi_3143_ = _e499;
-                                        phi_3144_ = _e998;
-                                        phi_3145_ = _e1000;
-                                        phi_3146_ = select(_e989, _e542, _e991);
+                                        let _e1162 = phi_3361_;
+                                        let _e1164 = phi_3362_;
+                                        phi_3767_ = _e655;
+                                        phi_3364_ = _e657;
+                                        phi_3365_ = _e1162;
+                                        phi_3366_ = _e1164;
+                                        phi_3367_ = select(_e1153, _e700, _e1155);
                                     }
-                                    let _e1584 = phi_3519_;
-                                    let _e1586 = phi_3143_;
-                                    let _e1588 = phi_3144_;
-                                    let _e1590 = phi_3145_;
-                                    let _e1592 = phi_3146_;
-                                    phi_3518_ = _e1584;
-                                    phi_3147_ = _e1586;
-                                    phi_3148_ = _e1588;
-                                    phi_3149_ = (_e503 - 1u);
-                                    phi_3150_ = _e1590;
-                                    phi_3151_ = _e1592;
+                                    let _e1748 = phi_3767_;
+                                    let _e1750 = phi_3364_;
+                                    let _e1752 = phi_3365_;
+                                    let _e1754 = phi_3366_;
+                                    let _e1756 = phi_3367_;
+                                    phi_3766_ = _e1748;
+                                    phi_3368_ = _e1750;
+                                    phi_3369_ = _e1752;
+                                    phi_3370_ = (_e661 - 1u);
+                                    phi_3371_ = _e1754;
+                                    phi_3372_ = _e1756;
                                 } else {
-                                    phi_3518_ = _e497;
-                                    phi_3147_ = _e499;
-                                    phi_3148_ = _e538;
-                                    phi_3149_ = _e503;
-                                    phi_3150_ = _e540;
-                                    phi_3151_ = _e542;
+                                    phi_3766_ = _e655;
+                                    phi_3368_ = _e657;
+                                    phi_3369_ = _e696;
+                                    phi_3370_ = _e661;
+                                    phi_3371_ = _e698;
+                                    phi_3372_ = _e700;
                                 }
-                                let _e1594 = phi_3518_;
-                                let _e1596 = phi_3147_;
-                                let _e1598 = phi_3148_;
-                                let _e1600 = phi_3149_;
-                                let _e1602 = phi_3150_;
-                                let _e1604 = phi_3151_;
-                                phi_3517_ = _e1594;
-                                phi_3152_ = _e1596;
-                                phi_3153_ = _e1598;
-                                phi_3154_ = _e1600;
-                                phi_3155_ = _e1602;
-                                phi_3156_ = _e1604;
+                                let _e1758 = phi_3766_;
+                                let _e1760 = phi_3368_;
+                                let _e1762 = phi_3369_;
+                                let _e1764 = phi_3370_;
+                                let _e1766 = phi_3371_;
+                                let _e1768 = phi_3372_;
+                                phi_3765_ = _e1758;
+                                phi_3373_ = _e1760;
+                                phi_3374_ = _e1762;
+                                phi_3375_ = _e1764;
+                                phi_3376_ = _e1766;
+                                phi_3377_ = _e1768;
                             } else {
-                                phi_3517_ = _e497;
-                                phi_3152_ = type_38();
-                                phi_3153_ = type_49();
-                                phi_3154_ = u32();
-                                phi_3155_ = bool();
-                                phi_3156_ = u32();
+                                phi_3765_ = _e655;
+                                phi_3373_ = type_38();
+                                phi_3374_ = type_49();
+                                phi_3375_ = u32();
+                                phi_3376_ = bool();
+                                phi_3377_ = u32();
                             }
-                            let _e1606 = phi_3517_;
-                            let _e1608 = phi_3152_;
-                            let _e1610 = phi_3153_;
-                            let _e1612 = phi_3154_;
-                            let _e1614 = phi_3155_;
-                            let _e1616 = phi_3156_;
-                            phi_3516_ = _e1606;
-                            phi_824_ = _e1608;
-                            phi_827_ = _e1610;
-                            phi_829_ = _e1612;
-                            phi_831_ = _e1614;
-                            phi_833_ = _e1616;
-                            phi_3157_ = _e511;
+                            let _e1770 = phi_3765_;
+                            let _e1772 = phi_3373_;
+                            let _e1774 = phi_3374_;
+                            let _e1776 = phi_3375_;
+                            let _e1778 = phi_3376_;
+                            let _e1780 = phi_3377_;
+                            phi_3764_ = _e1770;
+                            phi_1045_ = _e1772;
+                            phi_1048_ = _e1774;
+                            phi_1050_ = _e1776;
+                            phi_1052_ = _e1778;
+                            phi_1054_ = _e1780;
+                            phi_3378_ = _e669;
                         } else {
-                            phi_3516_ = _e497;
-                            phi_824_ = type_38();
-                            phi_827_ = type_49();
-                            phi_829_ = u32();
-                            phi_831_ = bool();
-                            phi_833_ = u32();
-                            phi_3157_ = false;
+                            phi_3764_ = _e655;
+                            phi_1045_ = type_38();
+                            phi_1048_ = type_49();
+                            phi_1050_ = u32();
+                            phi_1052_ = bool();
+                            phi_1054_ = u32();
+                            phi_3378_ = false;
                         }
-                        let _e1618 = phi_3516_;
-                        let _e1620 = phi_824_;
-                        let _e1622 = phi_827_;
-                        let _e1624 = phi_829_;
-                        let _e1626 = phi_831_;
-                        let _e1628 = phi_833_;
-                        let _e1630 = phi_3157_;
+                        let _e1782 = phi_3764_;
+                        let _e1784 = phi_1045_;
+                        let _e1786 = phi_1048_;
+                        let _e1788 = phi_1050_;
+                        let _e1790 = phi_1052_;
+                        let _e1792 = phi_1054_;
+                        let _e1794 = phi_3378_;
                         continue;
                         continuing {
-                            phi_3382_ = _e1618;
-                            phi_823_ = _e1620;
-                            phi_826_ = _e1622;
-                            phi_828_ = _e1624;
-                            phi_830_ = _e1626;
-                            phi_832_ = _e1628;
-                            phi_3515_ = _e1618;
-                            break if !(_e1630);
+                            phi_3612_ = _e1782;
+                            phi_1044_ = _e1784;
+                            phi_1047_ = _e1786;
+                            phi_1049_ = _e1788;
+                            phi_1051_ = _e1790;
+                            phi_1053_ = _e1792;
+                            phi_3763_ = _e1782;
+                            break if !(_e1794);
                         }
                     }
-                    let _e1633 = phi_3515_;
-                    if _e1633 {
+                    let _e1797 = phi_3763_;
+                    if _e1797 {
                         break;
                     }
-                    let _e1635 = local_11;
-                    if _e143 {
+                    let _e1799 = local_11;
+                    if _e146 {
                     } else {
                         break;
                     }
-                    global_5.member[_e141] = select(0u, 1u, _e1635.member_1);
+                    global_5.member[_e144] = select(0u, 1u, _e1799.member_1);
                 }
             }
             break;

@@ -83,435 +83,495 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_389_: i32;
-    var phi_390_: i32;
-    var phi_400_: bool;
-    var phi_410_: u32;
-    var phi_411_: u32;
-    var phi_413_: bool;
-    var phi_418_: u32;
-    var phi_430_: i32;
-    var phi_450_: i32;
-    var phi_468_: f32;
-    var phi_474_: f32;
-    var phi_485_: f32;
-    var phi_491_: f32;
-    var phi_514_: f32;
-    var phi_525_: f32;
-    var phi_534_: f32;
-    var phi_540_: f32;
-    var phi_551_: f32;
-    var phi_557_: f32;
-    var phi_580_: f32;
-    var phi_591_: f32;
+    var phi_391_: i32;
+    var phi_392_: i32;
+    var phi_402_: bool;
+    var phi_412_: u32;
+    var phi_413_: u32;
+    var phi_415_: bool;
+    var phi_420_: u32;
+    var phi_432_: i32;
+    var phi_452_: i32;
+    var phi_470_: f32;
+    var phi_476_: f32;
+    var phi_516_: f32;
+    var phi_522_: f32;
+    var phi_574_: f32;
+    var phi_585_: f32;
+    var phi_594_: f32;
     var phi_600_: f32;
-    var phi_606_: f32;
-    var phi_617_: f32;
-    var phi_623_: f32;
+    var phi_640_: f32;
     var phi_646_: f32;
-    var phi_657_: f32;
-    var phi_757_: f32;
-    var phi_758_: f32;
-    var phi_4010_: bool;
-    var phi_847_: type_34;
-    var phi_850_: type_45;
-    var phi_852_: u32;
-    var phi_854_: bool;
-    var phi_856_: u32;
-    var phi_867_: bool;
-    var phi_953_: type_45;
-    var phi_954_: bool;
-    var phi_955_: u32;
-    var phi_3043_: u32;
-    var phi_3049_: u32;
-    var phi_3303_: u32;
-    var phi_3304_: u32;
-    var phi_3314_: u32;
-    var phi_3316_: u32;
-    var phi_3317_: bool;
-    var phi_3337_: u32;
-    var phi_3338_: u32;
-    var phi_3342_: type_46;
-    var phi_3686_: type_45;
-    var phi_3763_: type_45;
-    var phi_3764_: type_45;
-    var phi_3765_: u32;
-    var phi_3767_: type_45;
-    var phi_3768_: u32;
-    var phi_3769_: bool;
-    var phi_3778_: type_45;
-    var phi_3783_: type_45;
-    var phi_3784_: bool;
-    var phi_974_: type_34;
-    var phi_977_: type_8;
-    var phi_978_: type_8;
-    var phi_1000_: type_8;
-    var phi_1041_: u32;
-    var phi_1047_: u32;
-    var phi_1057_: u32;
-    var phi_1073_: u32;
-    var phi_1106_: u32;
-    var phi_1112_: u32;
-    var phi_1539_: u32;
-    var phi_1557_: u32;
-    var phi_1575_: u32;
-    var phi_1595_: u32;
-    var phi_1613_: u32;
-    var phi_1631_: u32;
-    var phi_1651_: u32;
-    var phi_1669_: u32;
-    var phi_1687_: u32;
-    var phi_1265_: u32;
-    var phi_1280_: u32;
-    var phi_1290_: u32;
-    var phi_1310_: u32;
-    var phi_1330_: u32;
-    var phi_1356_: u32;
-    var phi_1371_: u32;
-    var phi_1381_: u32;
-    var phi_1401_: u32;
-    var phi_1421_: u32;
-    var phi_1447_: u32;
-    var phi_1462_: u32;
-    var phi_1472_: u32;
-    var phi_1492_: u32;
-    var phi_1512_: u32;
-    var phi_1136_: u32;
-    var phi_1179_: u32;
-    var phi_1222_: u32;
-    var phi_1693_: array<array<f32, 3>, 3>;
-    var phi_1810_: bool;
-    var phi_1839_: bool;
-    var phi_2240_: f32;
-    var phi_2241_: f32;
-    var phi_2242_: f32;
-    var phi_2243_: f32;
-    var phi_2244_: vec3<f32>;
-    var phi_2245_: vec3<f32>;
-    var phi_2246_: vec3<f32>;
-    var phi_2247_: vec3<f32>;
-    var phi_2278_: bool;
-    var phi_2287_: vec3<f32>;
-    var phi_2452_: f32;
-    var phi_2454_: f32;
-    var phi_2455_: bool;
-    var phi_2475_: f32;
-    var phi_2476_: f32;
-    var phi_2499_: type_20;
-    var phi_2501_: type_20;
-    var phi_2502_: bool;
-    var phi_2506_: type_20;
-    var phi_2507_: type_20;
-    var phi_2508_: type_20;
-    var phi_2509_: bool;
-    var phi_2513_: type_20;
-    var phi_2514_: bool;
-    var phi_2515_: type_20;
-    var phi_2516_: bool;
-    var phi_2517_: bool;
-    var phi_2518_: type_20;
-    var phi_2519_: bool;
-    var phi_2520_: bool;
-    var phi_2528_: type_20;
-    var phi_2529_: bool;
-    var phi_2533_: type_20;
-    var phi_2544_: type_34;
-    var phi_2545_: type_34;
-    var phi_975_: type_34;
-    var phi_4004_: bool;
+    var phi_698_: f32;
+    var phi_709_: f32;
+    var phi_718_: f32;
+    var phi_724_: f32;
+    var phi_764_: f32;
+    var phi_770_: f32;
+    var phi_822_: f32;
+    var phi_833_: f32;
+    var phi_888_: i32;
+    var phi_910_: u32;
+    var phi_911_: u32;
+    var phi_948_: i32;
+    var phi_970_: u32;
+    var phi_971_: u32;
+    var phi_979_: f32;
+    var phi_980_: f32;
+    var phi_4258_: bool;
+    var phi_1069_: type_34;
+    var phi_1072_: type_45;
+    var phi_1074_: u32;
+    var phi_1076_: bool;
+    var phi_1078_: u32;
+    var phi_1089_: bool;
+    var phi_1175_: type_45;
+    var phi_1176_: bool;
+    var phi_1177_: u32;
+    var phi_3283_: u32;
+    var phi_3289_: u32;
+    var phi_3543_: u32;
+    var phi_3544_: u32;
+    var phi_3554_: u32;
+    var phi_3556_: u32;
+    var phi_3557_: bool;
+    var phi_3577_: u32;
+    var phi_3578_: u32;
+    var phi_3582_: type_46;
+    var phi_3926_: type_45;
+    var phi_4003_: type_45;
+    var phi_4004_: type_45;
+    var phi_4005_: u32;
+    var phi_4007_: type_45;
+    var phi_4008_: u32;
+    var phi_4009_: bool;
+    var phi_4018_: type_45;
+    var phi_4023_: type_45;
+    var phi_4024_: bool;
+    var phi_1196_: type_34;
+    var phi_1199_: type_8;
+    var phi_1200_: type_8;
+    var phi_1222_: type_8;
+    var phi_1263_: u32;
+    var phi_1269_: u32;
+    var phi_1279_: u32;
+    var phi_1295_: u32;
+    var phi_1328_: u32;
+    var phi_1334_: u32;
+    var phi_1779_: u32;
+    var phi_1797_: u32;
+    var phi_1815_: u32;
+    var phi_1835_: u32;
+    var phi_1853_: u32;
+    var phi_1871_: u32;
+    var phi_1891_: u32;
+    var phi_1909_: u32;
+    var phi_1927_: u32;
+    var phi_1496_: u32;
+    var phi_1511_: u32;
+    var phi_1521_: u32;
+    var phi_1542_: u32;
+    var phi_1563_: u32;
+    var phi_1590_: u32;
+    var phi_1605_: u32;
+    var phi_1615_: u32;
+    var phi_1636_: u32;
+    var phi_1657_: u32;
+    var phi_1684_: u32;
+    var phi_1699_: u32;
+    var phi_1709_: u32;
+    var phi_1730_: u32;
+    var phi_1751_: u32;
+    var phi_1358_: u32;
+    var phi_1404_: u32;
+    var phi_1450_: u32;
+    var phi_1933_: array<array<f32, 3>, 3>;
+    var phi_2050_: bool;
+    var phi_2079_: bool;
+    var phi_2480_: f32;
+    var phi_2481_: f32;
+    var phi_2482_: f32;
+    var phi_2483_: f32;
+    var phi_2484_: vec3<f32>;
+    var phi_2485_: vec3<f32>;
+    var phi_2486_: vec3<f32>;
+    var phi_2487_: vec3<f32>;
+    var phi_2518_: bool;
+    var phi_2527_: vec3<f32>;
+    var phi_2692_: f32;
+    var phi_2694_: f32;
+    var phi_2695_: bool;
+    var phi_2715_: f32;
+    var phi_2716_: f32;
+    var phi_2739_: type_20;
+    var phi_2741_: type_20;
+    var phi_2742_: bool;
+    var phi_2746_: type_20;
+    var phi_2747_: type_20;
+    var phi_2748_: type_20;
+    var phi_2749_: bool;
+    var phi_2753_: type_20;
+    var phi_2754_: bool;
+    var phi_2755_: type_20;
+    var phi_2756_: bool;
+    var phi_2757_: bool;
+    var phi_2758_: type_20;
+    var phi_2759_: bool;
+    var phi_2760_: bool;
+    var phi_2768_: type_20;
+    var phi_2769_: bool;
+    var phi_2773_: type_20;
+    var phi_2784_: type_34;
+    var phi_2785_: type_34;
+    var phi_1197_: type_34;
+    var phi_4252_: bool;
     var local_10: type_34;
-    var phi_4194_: bool;
-    var phi_3786_: type_34;
-    var phi_3787_: type_45;
-    var phi_3788_: bool;
-    var phi_3789_: u32;
-    var phi_4193_: bool;
-    var phi_3790_: type_34;
-    var phi_3791_: type_45;
-    var phi_3792_: u32;
-    var phi_3793_: bool;
-    var phi_3794_: u32;
-    var phi_4192_: bool;
-    var phi_3795_: type_34;
-    var phi_3796_: type_45;
-    var phi_3797_: u32;
-    var phi_3798_: bool;
-    var phi_3799_: u32;
-    var phi_4191_: bool;
-    var phi_848_: type_34;
-    var phi_851_: type_45;
-    var phi_853_: u32;
-    var phi_855_: bool;
-    var phi_857_: u32;
-    var phi_3800_: bool;
-    var phi_4190_: bool;
+    var phi_4460_: bool;
+    var phi_4026_: type_34;
+    var phi_4027_: type_45;
+    var phi_4028_: bool;
+    var phi_4029_: u32;
+    var phi_4459_: bool;
+    var phi_4030_: type_34;
+    var phi_4031_: type_45;
+    var phi_4032_: u32;
+    var phi_4033_: bool;
+    var phi_4034_: u32;
+    var phi_4458_: bool;
+    var phi_4035_: type_34;
+    var phi_4036_: type_45;
+    var phi_4037_: u32;
+    var phi_4038_: bool;
+    var phi_4039_: u32;
+    var phi_4457_: bool;
+    var phi_1070_: type_34;
+    var phi_1073_: type_45;
+    var phi_1075_: u32;
+    var phi_1077_: bool;
+    var phi_1079_: u32;
+    var phi_4040_: bool;
+    var phi_4456_: bool;
     var local_11: type_34;
     var local_12: type_34;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e88 = global;
-            let _e90 = arrayLength((&global_5.member));
-            let _e93 = arrayLength((&global_6.member));
-            let _e101 = global_2.member[0u][0u];
-            let _e105 = global_2.member[0u][1u];
-            let _e109 = global_2.member[0u][2u];
-            let _e113 = global_2.member[0u][3u];
-            let _e117 = global_2.member[1u][0u];
-            let _e121 = global_2.member[1u][1u];
-            let _e125 = global_2.member[1u][2u];
-            let _e128 = global_1.member[0u];
-            let _e129 = bitcast<i32>(_e128);
-            let _e141 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e113) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e101), bitcast<i32>(_e105), bitcast<i32>(_e109));
-            local = array<i32, 3>(bitcast<i32>(_e117), bitcast<i32>(_e121), bitcast<i32>(_e125));
-            let _e147 = (_e88.x + (_e88.y * 2097152u));
-            let _e148 = (_e147 < arrayLength((&global_3.member)));
-            if _e148 {
-                let _e149 = (_e147 < arrayLength((&global_4.member)));
-                if _e149 {
-                    if _e148 {
+            let _e91 = global;
+            let _e93 = arrayLength((&global_5.member));
+            let _e96 = arrayLength((&global_6.member));
+            let _e104 = global_2.member[0u][0u];
+            let _e108 = global_2.member[0u][1u];
+            let _e112 = global_2.member[0u][2u];
+            let _e116 = global_2.member[0u][3u];
+            let _e120 = global_2.member[1u][0u];
+            let _e124 = global_2.member[1u][1u];
+            let _e128 = global_2.member[1u][2u];
+            let _e131 = global_1.member[0u];
+            let _e132 = bitcast<i32>(_e131);
+            let _e144 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e116) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e104), bitcast<i32>(_e108), bitcast<i32>(_e112));
+            local = array<i32, 3>(bitcast<i32>(_e120), bitcast<i32>(_e124), bitcast<i32>(_e128));
+            let _e150 = (_e91.x + (_e91.y * 2097152u));
+            let _e151 = (_e150 < arrayLength((&global_3.member)));
+            if _e151 {
+                let _e152 = (_e150 < arrayLength((&global_4.member)));
+                if _e152 {
+                    if _e151 {
                     } else {
                         break;
                     }
-                    let _e157 = global_3.member[_e147].member_2[0u];
-                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
-                    let _e164 = global_3.member[_e147].member_2[1u];
-                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
-                    let _e171 = global_3.member[_e147].member_2[2u];
-                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
-                    let _e178 = global_3.member[_e147].member[0u];
-                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
-                    let _e185 = global_3.member[_e147].member[1u];
-                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
-                    let _e192 = global_3.member[_e147].member[2u];
-                    let _e194 = (bitcast<u32>(_e192) & 2147483647u);
-                    let _e196 = select(_e166, _e159, (_e166 < _e159));
-                    let _e198 = select(_e173, _e196, (_e173 < _e196));
-                    let _e200 = select(_e180, _e198, (_e180 < _e198));
-                    let _e202 = select(_e187, _e200, (_e187 < _e200));
-                    let _e204 = select(_e194, _e202, (_e194 < _e202));
-                    let _e208 = global_3.member[_e147].member_1;
-                    let _e210 = (bitcast<u32>(_e208) & 2147483647u);
-                    let _e217 = global_3.member[_e147].member_3;
-                    let _e223 = (((select(_e210, _e204, (_e210 < _e204)) < 2139095040u) && ((bitcast<u32>(_e217) & 2147483647u) <= 2139095040u)) && (_e198 > 0u));
-                    if _e223 {
-                        let _e226 = (bitcast<u32>(bitcast<f32>(_e198)) & 2147483647u);
-                        if (_e226 >= 8388608u) {
-                            phi_389_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
+                    let _e160 = global_3.member[_e150].member_2[0u];
+                    let _e162 = (bitcast<u32>(_e160) & 2147483647u);
+                    let _e167 = global_3.member[_e150].member_2[1u];
+                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
+                    let _e174 = global_3.member[_e150].member_2[2u];
+                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
+                    let _e181 = global_3.member[_e150].member[0u];
+                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
+                    let _e188 = global_3.member[_e150].member[1u];
+                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
+                    let _e195 = global_3.member[_e150].member[2u];
+                    let _e197 = (bitcast<u32>(_e195) & 2147483647u);
+                    let _e199 = select(_e169, _e162, (_e169 < _e162));
+                    let _e201 = select(_e176, _e199, (_e176 < _e199));
+                    let _e203 = select(_e183, _e201, (_e183 < _e201));
+                    let _e205 = select(_e190, _e203, (_e190 < _e203));
+                    let _e207 = select(_e197, _e205, (_e197 < _e205));
+                    let _e211 = global_3.member[_e150].member_1;
+                    let _e212 = bitcast<u32>(_e211);
+                    let _e213 = (_e212 & 2147483647u);
+                    let _e220 = global_3.member[_e150].member_3;
+                    let _e221 = bitcast<u32>(_e220);
+                    let _e222 = (_e221 & 2147483647u);
+                    let _e226 = (((select(_e213, _e207, (_e213 < _e207)) < 2139095040u) && (_e222 <= 2139095040u)) && (_e201 > 0u));
+                    if _e226 {
+                        let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
+                        if (_e229 >= 8388608u) {
+                            phi_391_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_389_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
+                            phi_391_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
                         }
-                        let _e240 = phi_389_;
-                        phi_390_ = _e240;
+                        let _e243 = phi_391_;
+                        phi_392_ = _e243;
                     } else {
-                        phi_390_ = 0i;
+                        phi_392_ = 0i;
                     }
-                    let _e242 = phi_390_;
-                    let _e243 = (_e159 == _e198);
-                    if _e243 {
-                        phi_400_ = true;
-                    } else {
-                        phi_400_ = (_e166 == _e198);
-                    }
-                    let _e246 = phi_400_;
-                    let _e247 = select(1u, 0u, _e243);
+                    let _e245 = phi_392_;
+                    let _e246 = (_e162 == _e201);
                     if _e246 {
-                        let _e248 = (_e247 + 1u);
-                        phi_410_ = _e248;
-                        phi_411_ = _e248;
-                        phi_413_ = select(true, false, (_e248 == 2u));
+                        phi_402_ = true;
                     } else {
-                        phi_410_ = u32();
-                        phi_411_ = 0u;
-                        phi_413_ = true;
+                        phi_402_ = (_e169 == _e201);
                     }
-                    let _e252 = phi_410_;
-                    let _e254 = phi_411_;
-                    let _e256 = phi_413_;
-                    if _e256 {
-                        phi_418_ = (_e254 + 1u);
+                    let _e249 = phi_402_;
+                    let _e250 = select(1u, 0u, _e246);
+                    if _e249 {
+                        let _e251 = (_e250 + 1u);
+                        phi_412_ = _e251;
+                        phi_413_ = _e251;
+                        phi_415_ = select(true, false, (_e251 == 2u));
                     } else {
-                        phi_418_ = 0u;
+                        phi_412_ = u32();
+                        phi_413_ = 0u;
+                        phi_415_ = true;
                     }
-                    let _e260 = phi_418_;
-                    let _e261 = select(_e252, _e254, _e256);
-                    let _e262 = select(_e247, select(2u, _e247, _e246), _e256);
-                    if (_e129 < -126i) {
-                        phi_430_ = -126i;
+                    let _e255 = phi_412_;
+                    let _e257 = phi_413_;
+                    let _e259 = phi_415_;
+                    if _e259 {
+                        phi_420_ = (_e257 + 1u);
                     } else {
-                        phi_430_ = select(_e129, 127i, (_e129 > 127i));
+                        phi_420_ = 0u;
                     }
-                    let _e267 = phi_430_;
-                    let _e272 = bitcast<f32>((bitcast<u32>((_e267 + 127i)) << bitcast<u32>(23i)));
-                    let _e278 = bitcast<f32>((bitcast<u32>(((_e129 - _e267) + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = -(_e242);
-                    if (_e279 < -126i) {
-                        phi_450_ = -126i;
+                    let _e263 = phi_420_;
+                    let _e264 = select(_e255, _e257, _e259);
+                    let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
+                    if (_e132 < -126i) {
+                        phi_432_ = -126i;
                     } else {
-                        phi_450_ = select(_e279, 127i, (_e279 > 127i));
+                        phi_432_ = select(_e132, 127i, (_e132 > 127i));
                     }
-                    let _e284 = phi_450_;
-                    let _e289 = bitcast<f32>((bitcast<u32>((_e284 + 127i)) << bitcast<u32>(23i)));
-                    let _e295 = bitcast<f32>((bitcast<u32>(((_e279 - _e284) + 127i)) << bitcast<u32>(23i)));
-                    let _e299 = global_3.member[_e147].member;
-                    let _e300 = (_e261 == 0u);
-                    if _e300 {
-                        phi_468_ = _e299[0];
+                    let _e270 = phi_432_;
+                    let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
+                    let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
+                    let _e282 = -(_e245);
+                    if (_e282 < -126i) {
+                        phi_452_ = -126i;
                     } else {
-                        phi_468_ = _e299[1];
+                        phi_452_ = select(_e282, 127i, (_e282 > 127i));
                     }
-                    let _e304 = phi_468_;
-                    let _e305 = (_e261 == 2u);
-                    if _e305 {
-                        phi_474_ = _e299[2];
+                    let _e287 = phi_452_;
+                    let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
+                    let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
+                    let _e302 = global_3.member[_e150].member;
+                    let _e303 = (_e264 == 0u);
+                    if _e303 {
+                        phi_470_ = _e302[0];
                     } else {
-                        phi_474_ = _e304;
+                        phi_470_ = _e302[1];
                     }
-                    let _e308 = phi_474_;
-                    let _e310 = ((_e308 * _e272) * _e278);
-                    let _e311 = global_3.member[_e147].member_2;
-                    if _e300 {
-                        phi_485_ = _e311[0];
+                    let _e307 = phi_470_;
+                    let _e308 = (_e264 == 2u);
+                    if _e308 {
+                        phi_476_ = _e302[2];
                     } else {
-                        phi_485_ = _e311[1];
+                        phi_476_ = _e307;
                     }
-                    let _e315 = phi_485_;
-                    if _e305 {
-                        phi_491_ = _e311[2];
+                    let _e311 = phi_476_;
+                    let _e312 = bitcast<u32>(_e311);
+                    let _e314 = ((_e312 & 2139095040u) != 0u);
+                    let _e328 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e312 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e312 & 2147483648u))), _e311, _e314) * _e275) * select(0.00000011920929f, 1f, _e314)) * _e281);
+                    let _e329 = global_3.member[_e150].member_2;
+                    if _e303 {
+                        phi_516_ = _e329[0];
                     } else {
-                        phi_491_ = _e315;
+                        phi_516_ = _e329[1];
                     }
-                    let _e318 = phi_491_;
-                    let _e320 = ((_e318 * _e289) * _e295);
-                    let _e324 = (bitcast<f32>((bitcast<u32>(_e320) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e324 {
-                        let _e328 = (bitcast<f32>((bitcast<u32>(_e310) & 2147483647u)) * 0.00000011920929f);
-                        phi_514_ = select(0.00000000000011368684f, _e328, (_e328 > 0.00000000000011368684f));
+                    let _e333 = phi_516_;
+                    if _e308 {
+                        phi_522_ = _e329[2];
                     } else {
-                        phi_514_ = 0f;
+                        phi_522_ = _e333;
                     }
-                    let _e332 = phi_514_;
-                    let _e333 = (_e310 + _e332);
-                    let _e334 = (_e310 - _e332);
-                    let _e335 = select(_e320, 0f, _e324);
-                    if _e324 {
-                        phi_525_ = 38685626000000000000000000f;
+                    let _e336 = phi_522_;
+                    let _e337 = bitcast<u32>(_e336);
+                    let _e339 = ((_e337 & 2139095040u) != 0u);
+                    let _e353 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e336, _e339) * _e292) * select(0.00000011920929f, 1f, _e339)) * _e298);
+                    let _e357 = (bitcast<f32>((bitcast<u32>(_e353) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e357 {
+                        let _e361 = (bitcast<f32>((bitcast<u32>(_e328) & 2147483647u)) * 0.00000011920929f);
+                        phi_574_ = select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f));
                     } else {
-                        phi_525_ = (1f / _e320);
+                        phi_574_ = 0f;
                     }
-                    let _e338 = phi_525_;
-                    let _e339 = (_e260 == 0u);
-                    if _e339 {
-                        phi_534_ = _e299[0];
+                    let _e365 = phi_574_;
+                    let _e366 = (_e328 + _e365);
+                    let _e367 = (_e328 - _e365);
+                    let _e368 = select(_e353, 0f, _e357);
+                    if _e357 {
+                        phi_585_ = 38685626000000000000000000f;
                     } else {
-                        phi_534_ = _e299[1];
+                        phi_585_ = (1f / _e353);
                     }
-                    let _e343 = phi_534_;
-                    let _e344 = (_e260 == 2u);
-                    if _e344 {
-                        phi_540_ = _e299[2];
+                    let _e371 = phi_585_;
+                    let _e372 = (_e263 == 0u);
+                    if _e372 {
+                        phi_594_ = _e302[0];
                     } else {
-                        phi_540_ = _e343;
+                        phi_594_ = _e302[1];
                     }
-                    let _e347 = phi_540_;
-                    let _e349 = ((_e347 * _e272) * _e278);
-                    if _e339 {
-                        phi_551_ = _e311[0];
-                    } else {
-                        phi_551_ = _e311[1];
-                    }
-                    let _e353 = phi_551_;
-                    if _e344 {
-                        phi_557_ = _e311[2];
-                    } else {
-                        phi_557_ = _e353;
-                    }
-                    let _e356 = phi_557_;
-                    let _e358 = ((_e356 * _e289) * _e295);
-                    let _e362 = (bitcast<f32>((bitcast<u32>(_e358) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e362 {
-                        let _e366 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) * 0.00000011920929f);
-                        phi_580_ = select(0.00000000000011368684f, _e366, (_e366 > 0.00000000000011368684f));
-                    } else {
-                        phi_580_ = 0f;
-                    }
-                    let _e370 = phi_580_;
-                    let _e371 = (_e349 + _e370);
-                    let _e372 = (_e349 - _e370);
-                    let _e373 = select(_e358, 0f, _e362);
-                    if _e362 {
-                        phi_591_ = 38685626000000000000000000f;
-                    } else {
-                        phi_591_ = (1f / _e358);
-                    }
-                    let _e376 = phi_591_;
-                    let _e377 = (_e262 == 0u);
+                    let _e376 = phi_594_;
+                    let _e377 = (_e263 == 2u);
                     if _e377 {
-                        phi_600_ = _e299[0];
+                        phi_600_ = _e302[2];
                     } else {
-                        phi_600_ = _e299[1];
+                        phi_600_ = _e376;
                     }
-                    let _e381 = phi_600_;
-                    let _e382 = (_e262 == 2u);
-                    if _e382 {
-                        phi_606_ = _e299[2];
+                    let _e380 = phi_600_;
+                    let _e381 = bitcast<u32>(_e380);
+                    let _e383 = ((_e381 & 2139095040u) != 0u);
+                    let _e397 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e381 & 2147483648u))), _e380, _e383) * _e275) * select(0.00000011920929f, 1f, _e383)) * _e281);
+                    if _e372 {
+                        phi_640_ = _e329[0];
                     } else {
-                        phi_606_ = _e381;
+                        phi_640_ = _e329[1];
                     }
-                    let _e385 = phi_606_;
-                    let _e387 = ((_e385 * _e272) * _e278);
+                    let _e401 = phi_640_;
                     if _e377 {
-                        phi_617_ = _e311[0];
+                        phi_646_ = _e329[2];
                     } else {
-                        phi_617_ = _e311[1];
+                        phi_646_ = _e401;
                     }
-                    let _e391 = phi_617_;
-                    if _e382 {
-                        phi_623_ = _e311[2];
+                    let _e404 = phi_646_;
+                    let _e405 = bitcast<u32>(_e404);
+                    let _e407 = ((_e405 & 2139095040u) != 0u);
+                    let _e421 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e405 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e405 & 2147483648u))), _e404, _e407) * _e292) * select(0.00000011920929f, 1f, _e407)) * _e298);
+                    let _e425 = (bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e425 {
+                        let _e429 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
+                        phi_698_ = select(0.00000000000011368684f, _e429, (_e429 > 0.00000000000011368684f));
                     } else {
-                        phi_623_ = _e391;
+                        phi_698_ = 0f;
                     }
-                    let _e394 = phi_623_;
-                    let _e396 = ((_e394 * _e289) * _e295);
-                    let _e400 = (bitcast<f32>((bitcast<u32>(_e396) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e400 {
-                        let _e404 = (bitcast<f32>((bitcast<u32>(_e387) & 2147483647u)) * 0.00000011920929f);
-                        phi_646_ = select(0.00000000000011368684f, _e404, (_e404 > 0.00000000000011368684f));
+                    let _e433 = phi_698_;
+                    let _e434 = (_e397 + _e433);
+                    let _e435 = (_e397 - _e433);
+                    let _e436 = select(_e421, 0f, _e425);
+                    if _e425 {
+                        phi_709_ = 38685626000000000000000000f;
                     } else {
-                        phi_646_ = 0f;
+                        phi_709_ = (1f / _e421);
                     }
-                    let _e408 = phi_646_;
-                    let _e409 = (_e387 + _e408);
-                    let _e410 = (_e387 - _e408);
-                    let _e411 = select(_e396, 0f, _e400);
-                    if _e400 {
-                        phi_657_ = 38685626000000000000000000f;
+                    let _e439 = phi_709_;
+                    let _e440 = (_e265 == 0u);
+                    if _e440 {
+                        phi_718_ = _e302[0];
                     } else {
-                        phi_657_ = (1f / _e396);
+                        phi_718_ = _e302[1];
                     }
-                    let _e414 = phi_657_;
-                    let _e417 = bitcast<f32>((bitcast<u32>(_e310) & 2147483647u));
-                    let _e420 = bitcast<f32>((bitcast<u32>(_e349) & 2147483647u));
-                    let _e422 = select(_e420, _e417, (_e417 > _e420));
-                    let _e425 = bitcast<f32>((bitcast<u32>(_e387) & 2147483647u));
-                    let _e428 = (_e129 + _e242);
-                    if (_e223 && (select(_e425, _e422, (_e422 > _e425)) <= 1099511600000f)) {
-                        let _e431 = (_e428 / 3i);
-                        let _e438 = bitcast<f32>((bitcast<u32>((_e431 + 127i)) << bitcast<u32>(23i)));
-                        let _e445 = bitcast<f32>((bitcast<u32>(((_e428 - (2i * _e431)) + 127i)) << bitcast<u32>(23i)));
-                        let _e446 = (((_e208 * _e438) * _e438) * _e445);
-                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
-                        let _e453 = (((_e217 * _e438) * _e438) * _e445);
-                        let _e455 = select(340282350000000000000000000000000000000f, _e453, (_e453 < 340282350000000000000000000000000000000f));
-                        phi_757_ = select(-340282350000000000000000000000000000000f, _e455, (_e455 > -340282350000000000000000000000000000000f));
-                        phi_758_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
+                    let _e444 = phi_718_;
+                    let _e445 = (_e265 == 2u);
+                    if _e445 {
+                        phi_724_ = _e302[2];
                     } else {
-                        phi_757_ = 0f;
-                        phi_758_ = 1f;
+                        phi_724_ = _e444;
                     }
-                    let _e459 = phi_757_;
-                    let _e461 = phi_758_;
+                    let _e448 = phi_724_;
+                    let _e449 = bitcast<u32>(_e448);
+                    let _e451 = ((_e449 & 2139095040u) != 0u);
+                    let _e465 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e449 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e449 & 2147483648u))), _e448, _e451) * _e275) * select(0.00000011920929f, 1f, _e451)) * _e281);
+                    if _e440 {
+                        phi_764_ = _e329[0];
+                    } else {
+                        phi_764_ = _e329[1];
+                    }
+                    let _e469 = phi_764_;
+                    if _e445 {
+                        phi_770_ = _e329[2];
+                    } else {
+                        phi_770_ = _e469;
+                    }
+                    let _e472 = phi_770_;
+                    let _e473 = bitcast<u32>(_e472);
+                    let _e475 = ((_e473 & 2139095040u) != 0u);
+                    let _e489 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e473 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e473 & 2147483648u))), _e472, _e475) * _e292) * select(0.00000011920929f, 1f, _e475)) * _e298);
+                    let _e493 = (bitcast<f32>((bitcast<u32>(_e489) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e493 {
+                        let _e497 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) * 0.00000011920929f);
+                        phi_822_ = select(0.00000000000011368684f, _e497, (_e497 > 0.00000000000011368684f));
+                    } else {
+                        phi_822_ = 0f;
+                    }
+                    let _e501 = phi_822_;
+                    let _e502 = (_e465 + _e501);
+                    let _e503 = (_e465 - _e501);
+                    let _e504 = select(_e489, 0f, _e493);
+                    if _e493 {
+                        phi_833_ = 38685626000000000000000000f;
+                    } else {
+                        phi_833_ = (1f / _e489);
+                    }
+                    let _e507 = phi_833_;
+                    let _e510 = bitcast<f32>((bitcast<u32>(_e328) & 2147483647u));
+                    let _e513 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
+                    let _e515 = select(_e513, _e510, (_e510 > _e513));
+                    let _e518 = bitcast<f32>((bitcast<u32>(_e465) & 2147483647u));
+                    let _e521 = (_e132 + _e245);
+                    if (_e226 && (select(_e518, _e515, (_e515 > _e518)) <= 1099511600000f)) {
+                        let _e531 = ((_e213 & 8388607u) | (select(0u, 1u, ((_e213 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e534 = bitcast<i32>((_e213 >> bitcast<u32>(23i)));
+                        let _e538 = (_e531 == 0u);
+                        let _e541 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e531)), 32u, _e538)) - 8i);
+                        if (_e534 == 255i) {
+                            phi_888_ = 255i;
+                        } else {
+                            phi_888_ = (((_e534 + select(0i, 1i, (_e534 == 0i))) - _e541) + _e521);
+                        }
+                        let _e549 = phi_888_;
+                        let _e559 = (_e549 <= 0i);
+                        if _e559 {
+                            phi_911_ = u32();
+                        } else {
+                            if _e538 {
+                                phi_910_ = u32();
+                            } else {
+                                phi_910_ = select(((bitcast<u32>(_e549) << bitcast<u32>(23i)) | ((_e531 << bitcast<u32>(((_e541 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e549 >= 255i));
+                            }
+                            let _e563 = phi_910_;
+                            phi_911_ = _e563;
+                        }
+                        let _e565 = phi_911_;
+                        let _e577 = ((_e222 & 8388607u) | (select(0u, 1u, ((_e222 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e580 = bitcast<i32>((_e222 >> bitcast<u32>(23i)));
+                        let _e584 = (_e577 == 0u);
+                        let _e587 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e577)), 32u, _e584)) - 8i);
+                        if (_e580 == 255i) {
+                            phi_948_ = 255i;
+                        } else {
+                            phi_948_ = (((_e580 + select(0i, 1i, (_e580 == 0i))) - _e587) + _e521);
+                        }
+                        let _e595 = phi_948_;
+                        let _e605 = (_e595 <= 0i);
+                        if _e605 {
+                            phi_971_ = u32();
+                        } else {
+                            if _e584 {
+                                phi_970_ = u32();
+                            } else {
+                                phi_970_ = select(((bitcast<u32>(_e595) << bitcast<u32>(23i)) | ((_e577 << bitcast<u32>(((_e587 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e595 >= 255i));
+                            }
+                            let _e609 = phi_970_;
+                            phi_971_ = _e609;
+                        }
+                        let _e611 = phi_971_;
+                        phi_979_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e611, 0u, select(_e584, true, _e605))));
+                        phi_980_ = bitcast<f32>(((_e212 & 2147483648u) | select(_e565, 0u, select(_e538, true, _e559))));
+                    } else {
+                        phi_979_ = 0f;
+                        phi_980_ = 1f;
+                    }
+                    let _e617 = phi_979_;
+                    let _e619 = phi_980_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -520,1299 +580,1299 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e465 = (_e261 % 3u);
-                    let _e466 = (_e465 < 3u);
-                    if _e466 {
+                    let _e623 = (_e264 % 3u);
+                    let _e624 = (_e623 < 3u);
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e468 = local_1[_e465];
-                    let _e471 = (_e260 % 3u);
-                    let _e472 = (_e471 < 3u);
-                    if _e472 {
+                    let _e626 = local_1[_e623];
+                    let _e629 = (_e263 % 3u);
+                    let _e630 = (_e629 < 3u);
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e474 = local_1[_e471];
-                    let _e477 = (_e262 % 3u);
-                    let _e478 = (_e477 < 3u);
-                    if _e478 {
+                    let _e632 = local_1[_e629];
+                    let _e635 = (_e265 % 3u);
+                    let _e636 = (_e635 < 3u);
+                    if _e636 {
                     } else {
                         break;
                     }
-                    let _e480 = local_1[_e477];
-                    if _e466 {
+                    let _e638 = local_1[_e635];
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e485 = local[_e465];
-                    if _e472 {
+                    let _e643 = local[_e623];
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e489 = local[_e471];
-                    if _e478 {
+                    let _e647 = local[_e629];
+                    if _e636 {
                     } else {
                         break;
                     }
-                    let _e493 = local[_e477];
-                    phi_4010_ = false;
-                    phi_847_ = type_34(_e459, false);
-                    phi_850_ = type_45(type_24(vec4<f32>((f32(_e468) * _e141), (f32(_e474) * _e141), (f32(_e480) * _e141), 0f), vec4<f32>((f32(_e485) * _e141), (f32(_e489) * _e141), (f32(_e493) * _e141), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
-                    phi_852_ = ((3u * _e90) + 1u);
-                    phi_854_ = (_e461 <= _e459);
-                    phi_856_ = 0u;
+                    let _e651 = local[_e635];
+                    phi_4258_ = false;
+                    phi_1069_ = type_34(_e617, false);
+                    phi_1072_ = type_45(type_24(vec4<f32>((f32(_e626) * _e144), (f32(_e632) * _e144), (f32(_e638) * _e144), 0f), vec4<f32>((f32(_e643) * _e144), (f32(_e647) * _e144), (f32(_e651) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
+                    phi_1074_ = ((3u * _e93) + 1u);
+                    phi_1076_ = (_e619 <= _e617);
+                    phi_1078_ = 0u;
                     loop {
-                        let _e503 = phi_4010_;
-                        let _e505 = phi_847_;
-                        let _e507 = phi_850_;
-                        let _e509 = phi_852_;
-                        let _e511 = phi_854_;
-                        let _e513 = phi_856_;
-                        local_11 = _e505;
-                        if _e511 {
-                            phi_867_ = true;
+                        let _e661 = phi_4258_;
+                        let _e663 = phi_1069_;
+                        let _e665 = phi_1072_;
+                        let _e667 = phi_1074_;
+                        let _e669 = phi_1076_;
+                        let _e671 = phi_1078_;
+                        local_11 = _e663;
+                        if _e669 {
+                            phi_1089_ = true;
                         } else {
-                            phi_867_ = (_e513 > 0u);
+                            phi_1089_ = (_e671 > 0u);
                         }
-                        let _e516 = phi_867_;
-                        if _e516 {
-                            let _e517 = (_e509 > 0u);
-                            if _e517 {
-                                if _e511 {
-                                    phi_953_ = _e507;
-                                    phi_954_ = _e511;
-                                    phi_955_ = _e513;
+                        let _e674 = phi_1089_;
+                        if _e674 {
+                            let _e675 = (_e667 > 0u);
+                            if _e675 {
+                                if _e669 {
+                                    phi_1175_ = _e665;
+                                    phi_1176_ = _e669;
+                                    phi_1177_ = _e671;
                                 } else {
-                                    let _e518 = (_e513 - 1u);
-                                    let _e519 = (_e518 % 128u);
-                                    let _e520 = (_e519 < 128u);
-                                    if _e520 {
+                                    let _e676 = (_e671 - 1u);
+                                    let _e677 = (_e676 % 128u);
+                                    let _e678 = (_e677 < 128u);
+                                    if _e678 {
                                     } else {
-                                        phi_4190_ = true;
+                                        phi_4456_ = true;
                                         break;
                                     }
-                                    let _e522 = local_7[_e519];
-                                    if _e520 {
+                                    let _e680 = local_7[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_4190_ = true;
+                                        phi_4456_ = true;
                                         break;
                                     }
-                                    let _e524 = local_6[_e519];
-                                    if _e520 {
+                                    let _e682 = local_6[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_4190_ = true;
+                                        phi_4456_ = true;
                                         break;
                                     }
-                                    let _e526 = local_5[_e519];
-                                    if _e520 {
+                                    let _e684 = local_5[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_4190_ = true;
+                                        phi_4456_ = true;
                                         break;
                                     }
-                                    let _e528 = local_4[_e519];
-                                    if _e520 {
+                                    let _e686 = local_4[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_4190_ = true;
+                                        phi_4456_ = true;
                                         break;
                                     }
-                                    let _e530 = local_3[_e519];
-                                    if _e520 {
+                                    let _e688 = local_3[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_4190_ = true;
+                                        phi_4456_ = true;
                                         break;
                                     }
-                                    let _e532 = local_2[_e519];
-                                    if _e520 {
+                                    let _e690 = local_2[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_4190_ = true;
+                                        phi_4456_ = true;
                                         break;
                                     }
-                                    let _e537 = local_8[_e519];
-                                    if _e520 {
+                                    let _e695 = local_8[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_4190_ = true;
+                                        phi_4456_ = true;
                                         break;
                                     }
-                                    let _e540 = local_9[_e519];
-                                    phi_953_ = type_45(type_24(vec4<f32>(_e522, _e524, _e526, 0f), vec4<f32>(_e528, _e530, _e532, 0f)), _e537);
-                                    phi_954_ = (_e540 <= _e505.member);
-                                    phi_955_ = _e518;
+                                    let _e698 = local_9[_e677];
+                                    phi_1175_ = type_45(type_24(vec4<f32>(_e680, _e682, _e684, 0f), vec4<f32>(_e686, _e688, _e690, 0f)), _e695);
+                                    phi_1176_ = (_e698 <= _e663.member);
+                                    phi_1177_ = _e676;
                                 }
-                                let _e544 = phi_953_;
-                                let _e546 = phi_954_;
-                                let _e548 = phi_955_;
-                                if _e546 {
-                                    let _e553 = (_e544.member_1 & 268435455u);
-                                    if ((_e544.member_1 & 2147483648u) != 0u) {
-                                        phi_974_ = _e505;
-                                        phi_977_ = type_8(0u, ((_e544.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e702 = phi_1175_;
+                                let _e704 = phi_1176_;
+                                let _e706 = phi_1177_;
+                                if _e704 {
+                                    let _e711 = (_e702.member_1 & 268435455u);
+                                    if ((_e702.member_1 & 2147483648u) != 0u) {
+                                        phi_1196_ = _e663;
+                                        phi_1199_ = type_8(0u, ((_e702.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1031 = phi_974_;
-                                            let _e1033 = phi_977_;
-                                            local_10 = _e1031;
-                                            local_12 = _e1031;
-                                            if (_e1033.member < _e1033.member_1) {
-                                                phi_978_ = type_8((_e1033.member + 1u), _e1033.member_1);
-                                                phi_1000_ = type_8(1u, _e1033.member);
+                                            let _e1195 = phi_1196_;
+                                            let _e1197 = phi_1199_;
+                                            local_10 = _e1195;
+                                            local_12 = _e1195;
+                                            if (_e1197.member < _e1197.member_1) {
+                                                phi_1200_ = type_8((_e1197.member + 1u), _e1197.member_1);
+                                                phi_1222_ = type_8(1u, _e1197.member);
                                             } else {
-                                                phi_978_ = _e1033;
-                                                phi_1000_ = type_8(0u, type_8().member_1);
+                                                phi_1200_ = _e1197;
+                                                phi_1222_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1046 = phi_978_;
-                                            let _e1048 = phi_1000_;
-                                            let _e1052 = (bitcast<i32>(_e1048.member) != 0i);
-                                            if _e1052 {
-                                                let _e1057 = (_e544.member.member_1.x - _e544.member.member.x);
-                                                let _e1060 = (_e544.member.member_1.y - _e544.member.member.y);
-                                                let _e1063 = (_e544.member.member_1.z - _e544.member.member.z);
-                                                let _e1065 = select(_e1060, _e1057, (_e1057 > _e1060));
-                                                let _e1067 = select(_e1063, _e1065, (_e1065 > _e1063));
-                                                let _e1069 = (_e1067 < (1024f * _e141));
-                                                if _e1069 {
-                                                    phi_1041_ = 0u;
+                                            let _e1210 = phi_1200_;
+                                            let _e1212 = phi_1222_;
+                                            let _e1216 = (bitcast<i32>(_e1212.member) != 0i);
+                                            if _e1216 {
+                                                let _e1221 = (_e702.member.member_1.x - _e702.member.member.x);
+                                                let _e1224 = (_e702.member.member_1.y - _e702.member.member.y);
+                                                let _e1227 = (_e702.member.member_1.z - _e702.member.member.z);
+                                                let _e1229 = select(_e1224, _e1221, (_e1221 > _e1224));
+                                                let _e1231 = select(_e1227, _e1229, (_e1229 > _e1227));
+                                                let _e1233 = (_e1231 < (1024f * _e144));
+                                                if _e1233 {
+                                                    phi_1263_ = 0u;
                                                 } else {
-                                                    phi_1041_ = select(2u, 1u, (_e1067 < (2097152f * _e141)));
+                                                    phi_1263_ = select(2u, 1u, (_e1231 < (2097152f * _e144)));
                                                 }
-                                                let _e1074 = phi_1041_;
-                                                switch bitcast<i32>(_e1074) {
+                                                let _e1238 = phi_1263_;
+                                                switch bitcast<i32>(_e1238) {
                                                     case 0: {
-                                                        phi_1047_ = 1u;
+                                                        phi_1269_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1047_ = 2u;
+                                                        phi_1269_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1047_ = 3u;
+                                                        phi_1269_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1047_ = u32();
+                                                        phi_1269_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1077 = phi_1047_;
-                                                switch bitcast<i32>(_e1074) {
+                                                let _e1241 = phi_1269_;
+                                                switch bitcast<i32>(_e1238) {
                                                     case 0: {
-                                                        phi_1057_ = 1u;
+                                                        phi_1279_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1057_ = 2u;
+                                                        phi_1279_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1057_ = 3u;
+                                                        phi_1279_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1057_ = u32();
+                                                        phi_1279_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1084 = phi_1057_;
-                                                let _e1086 = ((_e553 + (_e1048.member_1 * ((3u * _e1077) + 1u))) + (3u * _e1084));
-                                                let _e1087 = (_e1086 < _e93);
-                                                if _e1087 {
-                                                    if _e1087 {
+                                                let _e1248 = phi_1279_;
+                                                let _e1250 = ((_e711 + (_e1212.member_1 * ((3u * _e1241) + 1u))) + (3u * _e1248));
+                                                let _e1251 = (_e1250 < _e96);
+                                                if _e1251 {
+                                                    if _e1251 {
                                                     } else {
-                                                        phi_4004_ = true;
+                                                        phi_4252_ = true;
                                                         break;
                                                     }
-                                                    let _e1089 = global_6.member[_e1086];
-                                                    phi_1073_ = _e1089;
+                                                    let _e1253 = global_6.member[_e1250];
+                                                    phi_1295_ = _e1253;
                                                 } else {
-                                                    phi_1073_ = 4294967295u;
+                                                    phi_1295_ = 4294967295u;
                                                 }
-                                                let _e1091 = phi_1073_;
-                                                if _e1069 {
-                                                    phi_1106_ = 0u;
+                                                let _e1255 = phi_1295_;
+                                                if _e1233 {
+                                                    phi_1328_ = 0u;
                                                 } else {
-                                                    phi_1106_ = select(2u, 1u, (_e1067 < (2097152f * _e141)));
+                                                    phi_1328_ = select(2u, 1u, (_e1231 < (2097152f * _e144)));
                                                 }
-                                                let _e1096 = phi_1106_;
-                                                switch bitcast<i32>(_e1096) {
+                                                let _e1260 = phi_1328_;
+                                                switch bitcast<i32>(_e1260) {
                                                     case 0: {
-                                                        phi_1112_ = 1u;
+                                                        phi_1334_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1112_ = 2u;
+                                                        phi_1334_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1112_ = 3u;
+                                                        phi_1334_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1112_ = u32();
+                                                        phi_1334_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1099 = phi_1112_;
-                                                let _e1103 = (_e553 + (_e1048.member_1 * ((3u * _e1099) + 1u)));
-                                                switch bitcast<i32>(_e1096) {
+                                                let _e1263 = phi_1334_;
+                                                let _e1267 = (_e711 + (_e1212.member_1 * ((3u * _e1263) + 1u)));
+                                                switch bitcast<i32>(_e1260) {
                                                     case 0: {
-                                                        let _e1369 = (_e1103 < _e93);
-                                                        if _e1369 {
-                                                            if _e1369 {
+                                                        let _e1542 = (_e1267 < _e96);
+                                                        if _e1542 {
+                                                            if _e1542 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
-                                                            let _e1371 = global_6.member[_e1103];
-                                                            phi_1136_ = _e1371;
+                                                            let _e1544 = global_6.member[_e1267];
+                                                            phi_1358_ = _e1544;
                                                         } else {
-                                                            phi_1136_ = 0u;
+                                                            phi_1358_ = 0u;
                                                         }
-                                                        let _e1373 = phi_1136_;
-                                                        let _e1375 = ((10u * _e261) & 31u);
-                                                        let _e1384 = ((10u * _e260) & 31u);
-                                                        let _e1393 = ((10u * _e262) & 31u);
-                                                        let _e1402 = (_e1103 + 1u);
-                                                        let _e1403 = (_e1402 < _e93);
-                                                        if _e1403 {
-                                                            if _e1403 {
+                                                        let _e1546 = phi_1358_;
+                                                        let _e1548 = ((10u * _e264) & 31u);
+                                                        let _e1558 = ((10u * _e263) & 31u);
+                                                        let _e1568 = ((10u * _e265) & 31u);
+                                                        let _e1578 = (_e1267 + 1u);
+                                                        let _e1579 = (_e1578 < _e96);
+                                                        if _e1579 {
+                                                            if _e1579 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
-                                                            let _e1405 = global_6.member[_e1402];
-                                                            phi_1179_ = _e1405;
+                                                            let _e1581 = global_6.member[_e1578];
+                                                            phi_1404_ = _e1581;
                                                         } else {
-                                                            phi_1179_ = 0u;
+                                                            phi_1404_ = 0u;
                                                         }
-                                                        let _e1407 = phi_1179_;
-                                                        let _e1430 = (_e1103 + 2u);
-                                                        let _e1431 = (_e1430 < _e93);
-                                                        if _e1431 {
-                                                            if _e1431 {
+                                                        let _e1583 = phi_1404_;
+                                                        let _e1609 = (_e1267 + 2u);
+                                                        let _e1610 = (_e1609 < _e96);
+                                                        if _e1610 {
+                                                            if _e1610 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
-                                                            let _e1433 = global_6.member[_e1430];
-                                                            phi_1222_ = _e1433;
+                                                            let _e1612 = global_6.member[_e1609];
+                                                            phi_1450_ = _e1612;
                                                         } else {
-                                                            phi_1222_ = 0u;
+                                                            phi_1450_ = 0u;
                                                         }
-                                                        let _e1435 = phi_1222_;
-                                                        phi_1693_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1375)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1384)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1393)) & 1023u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1375)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1384)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1393)) & 1023u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1375)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1384)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1393)) & 1023u))) * _e141))));
+                                                        let _e1614 = phi_1450_;
+                                                        phi_1933_ = array<array<f32, 3>, 3>(array<f32, 3>((_e702.member.member.x + ((bitcast<f32>((1258291200u | ((_e1546 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e144)), (_e702.member.member.y + ((bitcast<f32>((1258291200u | ((_e1546 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e144)), (_e702.member.member.z + ((bitcast<f32>((1258291200u | ((_e1546 >> bitcast<u32>(_e1568)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e702.member.member.x + ((bitcast<f32>((1258291200u | ((_e1583 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e144)), (_e702.member.member.y + ((bitcast<f32>((1258291200u | ((_e1583 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e144)), (_e702.member.member.z + ((bitcast<f32>((1258291200u | ((_e1583 >> bitcast<u32>(_e1568)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e702.member.member.x + ((bitcast<f32>((1258291200u | ((_e1614 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e144)), (_e702.member.member.y + ((bitcast<f32>((1258291200u | ((_e1614 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e144)), (_e702.member.member.z + ((bitcast<f32>((1258291200u | ((_e1614 >> bitcast<u32>(_e1568)) & 1023u))) - 8388608f) * _e144))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1192 = (_e1103 < _e93);
-                                                        if _e1192 {
-                                                            if _e1192 {
+                                                        let _e1356 = (_e1267 < _e96);
+                                                        if _e1356 {
+                                                            if _e1356 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
-                                                            let _e1194 = global_6.member[_e1103];
-                                                            phi_1265_ = _e1194;
+                                                            let _e1358 = global_6.member[_e1267];
+                                                            phi_1496_ = _e1358;
                                                         } else {
-                                                            phi_1265_ = 0u;
+                                                            phi_1496_ = 0u;
                                                         }
-                                                        let _e1196 = phi_1265_;
-                                                        let _e1197 = (_e1103 + 1u);
-                                                        let _e1198 = (_e1197 < _e93);
-                                                        if _e1198 {
-                                                            if _e1198 {
+                                                        let _e1360 = phi_1496_;
+                                                        let _e1361 = (_e1267 + 1u);
+                                                        let _e1362 = (_e1361 < _e96);
+                                                        if _e1362 {
+                                                            if _e1362 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
-                                                            let _e1200 = global_6.member[_e1197];
-                                                            phi_1280_ = _e1200;
+                                                            let _e1364 = global_6.member[_e1361];
+                                                            phi_1511_ = _e1364;
                                                         } else {
-                                                            phi_1280_ = 0u;
+                                                            phi_1511_ = 0u;
                                                         }
-                                                        let _e1202 = phi_1280_;
-                                                        let _e1203 = (_e261 == 1u);
-                                                        if _e1203 {
-                                                            phi_1290_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
+                                                        let _e1366 = phi_1511_;
+                                                        let _e1367 = (_e264 == 1u);
+                                                        if _e1367 {
+                                                            phi_1521_ = ((_e1360 >> bitcast<u32>(21i)) | (_e1366 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1290_ = (_e1202 >> bitcast<u32>(10i));
+                                                            phi_1521_ = (_e1366 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1212 = phi_1290_;
-                                                        let _e1219 = (_e260 == 1u);
-                                                        if _e1219 {
-                                                            phi_1310_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
+                                                        let _e1376 = phi_1521_;
+                                                        let _e1384 = (_e263 == 1u);
+                                                        if _e1384 {
+                                                            phi_1542_ = ((_e1360 >> bitcast<u32>(21i)) | (_e1366 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1310_ = (_e1202 >> bitcast<u32>(10i));
+                                                            phi_1542_ = (_e1366 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1228 = phi_1310_;
-                                                        let _e1235 = (_e262 == 1u);
-                                                        if _e1235 {
-                                                            phi_1330_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
+                                                        let _e1393 = phi_1542_;
+                                                        let _e1401 = (_e265 == 1u);
+                                                        if _e1401 {
+                                                            phi_1563_ = ((_e1360 >> bitcast<u32>(21i)) | (_e1366 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1330_ = (_e1202 >> bitcast<u32>(10i));
+                                                            phi_1563_ = (_e1366 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1244 = phi_1330_;
-                                                        let _e1252 = (_e1103 + 2u);
-                                                        let _e1253 = (_e1252 < _e93);
-                                                        if _e1253 {
-                                                            if _e1253 {
+                                                        let _e1410 = phi_1563_;
+                                                        let _e1419 = (_e1267 + 2u);
+                                                        let _e1420 = (_e1419 < _e96);
+                                                        if _e1420 {
+                                                            if _e1420 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
-                                                            let _e1255 = global_6.member[_e1252];
-                                                            phi_1356_ = _e1255;
+                                                            let _e1422 = global_6.member[_e1419];
+                                                            phi_1590_ = _e1422;
                                                         } else {
-                                                            phi_1356_ = 0u;
+                                                            phi_1590_ = 0u;
                                                         }
-                                                        let _e1257 = phi_1356_;
-                                                        let _e1258 = (_e1103 + 3u);
-                                                        let _e1259 = (_e1258 < _e93);
-                                                        if _e1259 {
-                                                            if _e1259 {
+                                                        let _e1424 = phi_1590_;
+                                                        let _e1425 = (_e1267 + 3u);
+                                                        let _e1426 = (_e1425 < _e96);
+                                                        if _e1426 {
+                                                            if _e1426 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
-                                                            let _e1261 = global_6.member[_e1258];
-                                                            phi_1371_ = _e1261;
+                                                            let _e1428 = global_6.member[_e1425];
+                                                            phi_1605_ = _e1428;
                                                         } else {
-                                                            phi_1371_ = 0u;
+                                                            phi_1605_ = 0u;
                                                         }
-                                                        let _e1263 = phi_1371_;
-                                                        if _e1203 {
-                                                            phi_1381_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        let _e1430 = phi_1605_;
+                                                        if _e1367 {
+                                                            phi_1615_ = ((_e1424 >> bitcast<u32>(21i)) | (_e1430 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1381_ = (_e1263 >> bitcast<u32>(10i));
+                                                            phi_1615_ = (_e1430 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1272 = phi_1381_;
-                                                        if _e1219 {
-                                                            phi_1401_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        let _e1439 = phi_1615_;
+                                                        if _e1384 {
+                                                            phi_1636_ = ((_e1424 >> bitcast<u32>(21i)) | (_e1430 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1401_ = (_e1263 >> bitcast<u32>(10i));
+                                                            phi_1636_ = (_e1430 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1287 = phi_1401_;
-                                                        if _e1235 {
-                                                            phi_1421_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        let _e1455 = phi_1636_;
+                                                        if _e1401 {
+                                                            phi_1657_ = ((_e1424 >> bitcast<u32>(21i)) | (_e1430 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1421_ = (_e1263 >> bitcast<u32>(10i));
+                                                            phi_1657_ = (_e1430 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1302 = phi_1421_;
-                                                        let _e1310 = (_e1103 + 4u);
-                                                        let _e1311 = (_e1310 < _e93);
-                                                        if _e1311 {
-                                                            if _e1311 {
+                                                        let _e1471 = phi_1657_;
+                                                        let _e1480 = (_e1267 + 4u);
+                                                        let _e1481 = (_e1480 < _e96);
+                                                        if _e1481 {
+                                                            if _e1481 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
-                                                            let _e1313 = global_6.member[_e1310];
-                                                            phi_1447_ = _e1313;
+                                                            let _e1483 = global_6.member[_e1480];
+                                                            phi_1684_ = _e1483;
                                                         } else {
-                                                            phi_1447_ = 0u;
+                                                            phi_1684_ = 0u;
                                                         }
-                                                        let _e1315 = phi_1447_;
-                                                        let _e1316 = (_e1103 + 5u);
-                                                        let _e1317 = (_e1316 < _e93);
+                                                        let _e1485 = phi_1684_;
+                                                        let _e1486 = (_e1267 + 5u);
+                                                        let _e1487 = (_e1486 < _e96);
+                                                        if _e1487 {
+                                                            if _e1487 {
+                                                            } else {
+                                                                phi_4252_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1489 = global_6.member[_e1486];
+                                                            phi_1699_ = _e1489;
+                                                        } else {
+                                                            phi_1699_ = 0u;
+                                                        }
+                                                        let _e1491 = phi_1699_;
+                                                        if _e1367 {
+                                                            phi_1709_ = ((_e1485 >> bitcast<u32>(21i)) | (_e1491 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1709_ = (_e1491 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1500 = phi_1709_;
+                                                        if _e1384 {
+                                                            phi_1730_ = ((_e1485 >> bitcast<u32>(21i)) | (_e1491 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1730_ = (_e1491 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1516 = phi_1730_;
+                                                        if _e1401 {
+                                                            phi_1751_ = ((_e1485 >> bitcast<u32>(21i)) | (_e1491 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1751_ = (_e1491 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1532 = phi_1751_;
+                                                        phi_1933_ = array<array<f32, 3>, 3>(array<f32, 3>((_e702.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1376, _e1360, _e303) & 2097151u))) - 8388608f) * _e144)), (_e702.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1393, _e1360, _e372) & 2097151u))) - 8388608f) * _e144)), (_e702.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1410, _e1360, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e702.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1439, _e1424, _e303) & 2097151u))) - 8388608f) * _e144)), (_e702.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1455, _e1424, _e372) & 2097151u))) - 8388608f) * _e144)), (_e702.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1471, _e1424, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e702.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1500, _e1485, _e303) & 2097151u))) - 8388608f) * _e144)), (_e702.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1516, _e1485, _e372) & 2097151u))) - 8388608f) * _e144)), (_e702.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1532, _e1485, _e440) & 2097151u))) - 8388608f) * _e144))));
+                                                        break;
+                                                    }
+                                                    case 2: {
+                                                        let _e1269 = (_e1267 + _e264);
+                                                        let _e1270 = (_e1269 < _e96);
+                                                        if _e1270 {
+                                                            if _e1270 {
+                                                            } else {
+                                                                phi_4252_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1272 = global_6.member[_e1269];
+                                                            phi_1779_ = _e1272;
+                                                        } else {
+                                                            phi_1779_ = 0u;
+                                                        }
+                                                        let _e1274 = phi_1779_;
+                                                        let _e1278 = (_e1267 + _e263);
+                                                        let _e1279 = (_e1278 < _e96);
+                                                        if _e1279 {
+                                                            if _e1279 {
+                                                            } else {
+                                                                phi_4252_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1281 = global_6.member[_e1278];
+                                                            phi_1797_ = _e1281;
+                                                        } else {
+                                                            phi_1797_ = 0u;
+                                                        }
+                                                        let _e1283 = phi_1797_;
+                                                        let _e1287 = (_e1267 + _e265);
+                                                        let _e1288 = (_e1287 < _e96);
+                                                        if _e1288 {
+                                                            if _e1288 {
+                                                            } else {
+                                                                phi_4252_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1290 = global_6.member[_e1287];
+                                                            phi_1815_ = _e1290;
+                                                        } else {
+                                                            phi_1815_ = 0u;
+                                                        }
+                                                        let _e1292 = phi_1815_;
+                                                        let _e1297 = (_e1267 + 3u);
+                                                        let _e1298 = (_e1297 + _e264);
+                                                        let _e1299 = (_e1298 < _e96);
+                                                        if _e1299 {
+                                                            if _e1299 {
+                                                            } else {
+                                                                phi_4252_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1301 = global_6.member[_e1298];
+                                                            phi_1835_ = _e1301;
+                                                        } else {
+                                                            phi_1835_ = 0u;
+                                                        }
+                                                        let _e1303 = phi_1835_;
+                                                        let _e1307 = (_e1297 + _e263);
+                                                        let _e1308 = (_e1307 < _e96);
+                                                        if _e1308 {
+                                                            if _e1308 {
+                                                            } else {
+                                                                phi_4252_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1310 = global_6.member[_e1307];
+                                                            phi_1853_ = _e1310;
+                                                        } else {
+                                                            phi_1853_ = 0u;
+                                                        }
+                                                        let _e1312 = phi_1853_;
+                                                        let _e1316 = (_e1297 + _e265);
+                                                        let _e1317 = (_e1316 < _e96);
                                                         if _e1317 {
                                                             if _e1317 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
                                                             let _e1319 = global_6.member[_e1316];
-                                                            phi_1462_ = _e1319;
+                                                            phi_1871_ = _e1319;
                                                         } else {
-                                                            phi_1462_ = 0u;
+                                                            phi_1871_ = 0u;
                                                         }
-                                                        let _e1321 = phi_1462_;
-                                                        if _e1203 {
-                                                            phi_1472_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1472_ = (_e1321 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1330 = phi_1472_;
-                                                        if _e1219 {
-                                                            phi_1492_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1492_ = (_e1321 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1345 = phi_1492_;
-                                                        if _e1235 {
-                                                            phi_1512_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1512_ = (_e1321 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1360 = phi_1512_;
-                                                        phi_1693_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1212, _e1196, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1228, _e1196, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1244, _e1196, _e377) & 2097151u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1272, _e1257, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1287, _e1257, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1302, _e1257, _e377) & 2097151u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1330, _e1315, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1345, _e1315, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1360, _e1315, _e377) & 2097151u))) * _e141))));
-                                                        break;
-                                                    }
-                                                    case 2: {
-                                                        let _e1105 = (_e1103 + _e261);
-                                                        let _e1106 = (_e1105 < _e93);
-                                                        if _e1106 {
-                                                            if _e1106 {
+                                                        let _e1321 = phi_1871_;
+                                                        let _e1326 = (_e1267 + 6u);
+                                                        let _e1327 = (_e1326 + _e264);
+                                                        let _e1328 = (_e1327 < _e96);
+                                                        if _e1328 {
+                                                            if _e1328 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
-                                                            let _e1108 = global_6.member[_e1105];
-                                                            phi_1539_ = _e1108;
+                                                            let _e1330 = global_6.member[_e1327];
+                                                            phi_1891_ = _e1330;
                                                         } else {
-                                                            phi_1539_ = 0u;
+                                                            phi_1891_ = 0u;
                                                         }
-                                                        let _e1110 = phi_1539_;
-                                                        let _e1114 = (_e1103 + _e260);
-                                                        let _e1115 = (_e1114 < _e93);
-                                                        if _e1115 {
-                                                            if _e1115 {
+                                                        let _e1332 = phi_1891_;
+                                                        let _e1336 = (_e1326 + _e263);
+                                                        let _e1337 = (_e1336 < _e96);
+                                                        if _e1337 {
+                                                            if _e1337 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
-                                                            let _e1117 = global_6.member[_e1114];
-                                                            phi_1557_ = _e1117;
+                                                            let _e1339 = global_6.member[_e1336];
+                                                            phi_1909_ = _e1339;
                                                         } else {
-                                                            phi_1557_ = 0u;
+                                                            phi_1909_ = 0u;
                                                         }
-                                                        let _e1119 = phi_1557_;
-                                                        let _e1123 = (_e1103 + _e262);
-                                                        let _e1124 = (_e1123 < _e93);
-                                                        if _e1124 {
-                                                            if _e1124 {
+                                                        let _e1341 = phi_1909_;
+                                                        let _e1345 = (_e1326 + _e265);
+                                                        let _e1346 = (_e1345 < _e96);
+                                                        if _e1346 {
+                                                            if _e1346 {
                                                             } else {
-                                                                phi_4004_ = true;
+                                                                phi_4252_ = true;
                                                                 break;
                                                             }
-                                                            let _e1126 = global_6.member[_e1123];
-                                                            phi_1575_ = _e1126;
+                                                            let _e1348 = global_6.member[_e1345];
+                                                            phi_1927_ = _e1348;
                                                         } else {
-                                                            phi_1575_ = 0u;
+                                                            phi_1927_ = 0u;
                                                         }
-                                                        let _e1128 = phi_1575_;
-                                                        let _e1133 = (_e1103 + 3u);
-                                                        let _e1134 = (_e1133 + _e261);
-                                                        let _e1135 = (_e1134 < _e93);
-                                                        if _e1135 {
-                                                            if _e1135 {
-                                                            } else {
-                                                                phi_4004_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1137 = global_6.member[_e1134];
-                                                            phi_1595_ = _e1137;
-                                                        } else {
-                                                            phi_1595_ = 0u;
-                                                        }
-                                                        let _e1139 = phi_1595_;
-                                                        let _e1143 = (_e1133 + _e260);
-                                                        let _e1144 = (_e1143 < _e93);
-                                                        if _e1144 {
-                                                            if _e1144 {
-                                                            } else {
-                                                                phi_4004_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1146 = global_6.member[_e1143];
-                                                            phi_1613_ = _e1146;
-                                                        } else {
-                                                            phi_1613_ = 0u;
-                                                        }
-                                                        let _e1148 = phi_1613_;
-                                                        let _e1152 = (_e1133 + _e262);
-                                                        let _e1153 = (_e1152 < _e93);
-                                                        if _e1153 {
-                                                            if _e1153 {
-                                                            } else {
-                                                                phi_4004_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1155 = global_6.member[_e1152];
-                                                            phi_1631_ = _e1155;
-                                                        } else {
-                                                            phi_1631_ = 0u;
-                                                        }
-                                                        let _e1157 = phi_1631_;
-                                                        let _e1162 = (_e1103 + 6u);
-                                                        let _e1163 = (_e1162 + _e261);
-                                                        let _e1164 = (_e1163 < _e93);
-                                                        if _e1164 {
-                                                            if _e1164 {
-                                                            } else {
-                                                                phi_4004_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1166 = global_6.member[_e1163];
-                                                            phi_1651_ = _e1166;
-                                                        } else {
-                                                            phi_1651_ = 0u;
-                                                        }
-                                                        let _e1168 = phi_1651_;
-                                                        let _e1172 = (_e1162 + _e260);
-                                                        let _e1173 = (_e1172 < _e93);
-                                                        if _e1173 {
-                                                            if _e1173 {
-                                                            } else {
-                                                                phi_4004_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1175 = global_6.member[_e1172];
-                                                            phi_1669_ = _e1175;
-                                                        } else {
-                                                            phi_1669_ = 0u;
-                                                        }
-                                                        let _e1177 = phi_1669_;
-                                                        let _e1181 = (_e1162 + _e262);
-                                                        let _e1182 = (_e1181 < _e93);
-                                                        if _e1182 {
-                                                            if _e1182 {
-                                                            } else {
-                                                                phi_4004_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1184 = global_6.member[_e1181];
-                                                            phi_1687_ = _e1184;
-                                                        } else {
-                                                            phi_1687_ = 0u;
-                                                        }
-                                                        let _e1186 = phi_1687_;
-                                                        phi_1693_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1110)) * _e141), (f32(bitcast<i32>(_e1119)) * _e141), (f32(bitcast<i32>(_e1128)) * _e141)), array<f32, 3>((f32(bitcast<i32>(_e1139)) * _e141), (f32(bitcast<i32>(_e1148)) * _e141), (f32(bitcast<i32>(_e1157)) * _e141)), array<f32, 3>((f32(bitcast<i32>(_e1168)) * _e141), (f32(bitcast<i32>(_e1177)) * _e141), (f32(bitcast<i32>(_e1186)) * _e141)));
+                                                        let _e1350 = phi_1927_;
+                                                        phi_1933_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1274)) * _e144), (f32(bitcast<i32>(_e1283)) * _e144), (f32(bitcast<i32>(_e1292)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1303)) * _e144), (f32(bitcast<i32>(_e1312)) * _e144), (f32(bitcast<i32>(_e1321)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1332)) * _e144), (f32(bitcast<i32>(_e1341)) * _e144), (f32(bitcast<i32>(_e1350)) * _e144)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1693_ = array<array<f32, 3>, 3>();
+                                                        phi_1933_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1460 = phi_1693_;
-                                                let _e1468 = (_e1460[0][2] - _e387);
-                                                let _e1471 = (((_e1460[0][0] - _e310) * _e411) - (_e1468 * _e335));
-                                                let _e1474 = (((_e1460[0][1] - _e349) * _e411) - (_e1468 * _e373));
-                                                let _e1481 = (_e1460[1][2] - _e387);
-                                                let _e1484 = (((_e1460[1][0] - _e310) * _e411) - (_e1481 * _e335));
-                                                let _e1487 = (((_e1460[1][1] - _e349) * _e411) - (_e1481 * _e373));
-                                                let _e1494 = (_e1460[2][2] - _e387);
-                                                let _e1497 = (((_e1460[2][0] - _e310) * _e411) - (_e1494 * _e335));
-                                                let _e1500 = (((_e1460[2][1] - _e349) * _e411) - (_e1494 * _e373));
-                                                let _e1501 = (_e1497 * _e1487);
-                                                let _e1502 = (_e1500 * _e1484);
-                                                let _e1503 = (_e1471 * _e1500);
-                                                let _e1504 = (_e1474 * _e1497);
-                                                let _e1505 = (_e1484 * _e1474);
-                                                let _e1506 = (_e1487 * _e1471);
-                                                let _e1511 = (((_e1501 >= _e1502) && (_e1503 >= _e1504)) && (_e1505 >= _e1506));
-                                                if (_e1511 || (((_e1501 <= _e1502) && (_e1503 <= _e1504)) && (_e1505 <= _e1506))) {
-                                                    let _e1518 = select(-1f, 1f, _e1511);
-                                                    let _e1520 = ((_e1501 - _e1502) * _e1518);
-                                                    let _e1522 = select(0f, _e1520, (_e1520 > 0f));
-                                                    let _e1524 = ((_e1503 - _e1504) * _e1518);
-                                                    let _e1526 = select(0f, _e1524, (_e1524 > 0f));
-                                                    let _e1528 = ((_e1505 - _e1506) * _e1518);
-                                                    let _e1530 = select(0f, _e1528, (_e1528 > 0f));
-                                                    let _e1532 = ((_e1522 + _e1526) + _e1530);
-                                                    if (_e1532 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2518_ = type_20();
-                                                        phi_2519_ = true;
-                                                        phi_2520_ = false;
+                                                let _e1642 = phi_1933_;
+                                                let _e1650 = (_e1642[0][2] - _e465);
+                                                let _e1653 = (((_e1642[0][0] - _e328) * _e504) - (_e1650 * _e368));
+                                                let _e1656 = (((_e1642[0][1] - _e397) * _e504) - (_e1650 * _e436));
+                                                let _e1663 = (_e1642[1][2] - _e465);
+                                                let _e1666 = (((_e1642[1][0] - _e328) * _e504) - (_e1663 * _e368));
+                                                let _e1669 = (((_e1642[1][1] - _e397) * _e504) - (_e1663 * _e436));
+                                                let _e1676 = (_e1642[2][2] - _e465);
+                                                let _e1679 = (((_e1642[2][0] - _e328) * _e504) - (_e1676 * _e368));
+                                                let _e1682 = (((_e1642[2][1] - _e397) * _e504) - (_e1676 * _e436));
+                                                let _e1683 = (_e1679 * _e1669);
+                                                let _e1684 = (_e1682 * _e1666);
+                                                let _e1685 = (_e1653 * _e1682);
+                                                let _e1686 = (_e1656 * _e1679);
+                                                let _e1687 = (_e1666 * _e1656);
+                                                let _e1688 = (_e1669 * _e1653);
+                                                let _e1693 = (((_e1683 >= _e1684) && (_e1685 >= _e1686)) && (_e1687 >= _e1688));
+                                                if (_e1693 || (((_e1683 <= _e1684) && (_e1685 <= _e1686)) && (_e1687 <= _e1688))) {
+                                                    let _e1700 = select(-1f, 1f, _e1693);
+                                                    let _e1702 = ((_e1683 - _e1684) * _e1700);
+                                                    let _e1704 = select(0f, _e1702, (_e1702 > 0f));
+                                                    let _e1706 = ((_e1685 - _e1686) * _e1700);
+                                                    let _e1708 = select(0f, _e1706, (_e1706 > 0f));
+                                                    let _e1710 = ((_e1687 - _e1688) * _e1700);
+                                                    let _e1712 = select(0f, _e1710, (_e1710 > 0f));
+                                                    let _e1714 = ((_e1704 + _e1708) + _e1712);
+                                                    if (_e1714 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2758_ = type_20();
+                                                        phi_2759_ = true;
+                                                        phi_2760_ = false;
                                                     } else {
-                                                        let _e1535 = select(_e1484, _e1471, (_e1471 < _e1484));
-                                                        if (select(_e1497, _e1535, (_e1535 < _e1497)) > 0f) {
-                                                            phi_1810_ = true;
+                                                        let _e1717 = select(_e1666, _e1653, (_e1653 < _e1666));
+                                                        if (select(_e1679, _e1717, (_e1717 < _e1679)) > 0f) {
+                                                            phi_2050_ = true;
                                                         } else {
-                                                            let _e1540 = select(_e1484, _e1471, (_e1471 > _e1484));
-                                                            phi_1810_ = (select(_e1497, _e1540, (_e1540 > _e1497)) < 0f);
+                                                            let _e1722 = select(_e1666, _e1653, (_e1653 > _e1666));
+                                                            phi_2050_ = (select(_e1679, _e1722, (_e1722 > _e1679)) < 0f);
                                                         }
-                                                        let _e1545 = phi_1810_;
-                                                        if _e1545 {
-                                                            phi_2515_ = type_20();
-                                                            phi_2516_ = true;
-                                                            phi_2517_ = false;
+                                                        let _e1727 = phi_2050_;
+                                                        if _e1727 {
+                                                            phi_2755_ = type_20();
+                                                            phi_2756_ = true;
+                                                            phi_2757_ = false;
                                                         } else {
-                                                            let _e1547 = select(_e1487, _e1474, (_e1474 < _e1487));
-                                                            if (select(_e1500, _e1547, (_e1547 < _e1500)) > 0f) {
-                                                                phi_1839_ = true;
+                                                            let _e1729 = select(_e1669, _e1656, (_e1656 < _e1669));
+                                                            if (select(_e1682, _e1729, (_e1729 < _e1682)) > 0f) {
+                                                                phi_2079_ = true;
                                                             } else {
-                                                                let _e1552 = select(_e1487, _e1474, (_e1474 > _e1487));
-                                                                phi_1839_ = (select(_e1500, _e1552, (_e1552 > _e1500)) < 0f);
+                                                                let _e1734 = select(_e1669, _e1656, (_e1656 > _e1669));
+                                                                phi_2079_ = (select(_e1682, _e1734, (_e1734 > _e1682)) < 0f);
                                                             }
-                                                            let _e1557 = phi_1839_;
-                                                            if _e1557 {
-                                                                phi_2513_ = type_20();
-                                                                phi_2514_ = false;
+                                                            let _e1739 = phi_2079_;
+                                                            if _e1739 {
+                                                                phi_2753_ = type_20();
+                                                                phi_2754_ = false;
                                                             } else {
-                                                                let _e1559 = select(_e1460[1][0], _e1460[0][0], (_e1460[0][0] < _e1460[1][0]));
-                                                                let _e1563 = select(_e1460[1][0], _e1460[0][0], (_e1460[0][0] > _e1460[1][0]));
-                                                                let _e1567 = select(_e1460[1][1], _e1460[0][1], (_e1460[0][1] < _e1460[1][1]));
-                                                                let _e1571 = select(_e1460[1][1], _e1460[0][1], (_e1460[0][1] > _e1460[1][1]));
-                                                                let _e1575 = select(_e1460[1][2], _e1460[0][2], (_e1460[0][2] < _e1460[1][2]));
-                                                                let _e1579 = select(_e1460[1][2], _e1460[0][2], (_e1460[0][2] > _e1460[1][2]));
-                                                                let _e1584 = ((select(_e1460[2][0], _e1559, (_e1559 < _e1460[2][0])) - _e333) * _e338);
-                                                                let _e1585 = ((select(_e1460[2][0], _e1563, (_e1563 > _e1460[2][0])) - _e334) * _e338);
-                                                                let _e1588 = ((select(_e1460[2][1], _e1567, (_e1567 < _e1460[2][1])) - _e371) * _e376);
-                                                                let _e1589 = ((select(_e1460[2][1], _e1571, (_e1571 > _e1460[2][1])) - _e372) * _e376);
-                                                                let _e1592 = ((select(_e1460[2][2], _e1575, (_e1575 < _e1460[2][2])) - _e409) * _e414);
-                                                                let _e1593 = ((select(_e1460[2][2], _e1579, (_e1579 > _e1460[2][2])) - _e410) * _e414);
-                                                                let _e1595 = select(_e1593, _e1592, (_e1592 < _e1593));
-                                                                let _e1597 = select(_e1593, _e1592, (_e1592 > _e1593));
-                                                                let _e1599 = select(_e1585, _e1584, (_e1584 < _e1585));
-                                                                let _e1601 = select(_e1589, _e1588, (_e1588 < _e1589));
-                                                                let _e1603 = select(_e1601, _e1599, (_e1599 > _e1601));
-                                                                let _e1605 = select(_e1595, _e1603, (_e1603 > _e1595));
-                                                                let _e1607 = select(_e1585, _e1584, (_e1584 > _e1585));
-                                                                let _e1609 = select(_e1589, _e1588, (_e1588 > _e1589));
-                                                                let _e1611 = select(_e1609, _e1607, (_e1607 < _e1609));
-                                                                let _e1613 = select(_e1597, _e1611, (_e1611 < _e1597));
-                                                                let _e1614 = -(_e1595);
-                                                                let _e1620 = select(_e461, _e1605, (_e1605 > _e461));
-                                                                if (_e1620 > (_e1613 + (select(_e1614, _e1597, (_e1597 > _e1614)) * 0.0000019073523f))) {
-                                                                    phi_2508_ = type_20();
-                                                                    phi_2509_ = true;
+                                                                let _e1741 = select(_e1642[1][0], _e1642[0][0], (_e1642[0][0] < _e1642[1][0]));
+                                                                let _e1745 = select(_e1642[1][0], _e1642[0][0], (_e1642[0][0] > _e1642[1][0]));
+                                                                let _e1749 = select(_e1642[1][1], _e1642[0][1], (_e1642[0][1] < _e1642[1][1]));
+                                                                let _e1753 = select(_e1642[1][1], _e1642[0][1], (_e1642[0][1] > _e1642[1][1]));
+                                                                let _e1757 = select(_e1642[1][2], _e1642[0][2], (_e1642[0][2] < _e1642[1][2]));
+                                                                let _e1761 = select(_e1642[1][2], _e1642[0][2], (_e1642[0][2] > _e1642[1][2]));
+                                                                let _e1766 = ((select(_e1642[2][0], _e1741, (_e1741 < _e1642[2][0])) - _e366) * _e371);
+                                                                let _e1767 = ((select(_e1642[2][0], _e1745, (_e1745 > _e1642[2][0])) - _e367) * _e371);
+                                                                let _e1770 = ((select(_e1642[2][1], _e1749, (_e1749 < _e1642[2][1])) - _e434) * _e439);
+                                                                let _e1771 = ((select(_e1642[2][1], _e1753, (_e1753 > _e1642[2][1])) - _e435) * _e439);
+                                                                let _e1774 = ((select(_e1642[2][2], _e1757, (_e1757 < _e1642[2][2])) - _e502) * _e507);
+                                                                let _e1775 = ((select(_e1642[2][2], _e1761, (_e1761 > _e1642[2][2])) - _e503) * _e507);
+                                                                let _e1777 = select(_e1775, _e1774, (_e1774 < _e1775));
+                                                                let _e1779 = select(_e1775, _e1774, (_e1774 > _e1775));
+                                                                let _e1781 = select(_e1767, _e1766, (_e1766 < _e1767));
+                                                                let _e1783 = select(_e1771, _e1770, (_e1770 < _e1771));
+                                                                let _e1785 = select(_e1783, _e1781, (_e1781 > _e1783));
+                                                                let _e1787 = select(_e1777, _e1785, (_e1785 > _e1777));
+                                                                let _e1789 = select(_e1767, _e1766, (_e1766 > _e1767));
+                                                                let _e1791 = select(_e1771, _e1770, (_e1770 > _e1771));
+                                                                let _e1793 = select(_e1791, _e1789, (_e1789 < _e1791));
+                                                                let _e1795 = select(_e1779, _e1793, (_e1793 < _e1779));
+                                                                let _e1796 = -(_e1777);
+                                                                let _e1802 = select(_e619, _e1787, (_e1787 > _e619));
+                                                                if (_e1802 > (_e1795 + (select(_e1796, _e1779, (_e1779 > _e1796)) * 0.0000019073523f))) {
+                                                                    phi_2748_ = type_20();
+                                                                    phi_2749_ = true;
                                                                 } else {
-                                                                    let _e1622 = (_e1620 > _e1031.member);
-                                                                    if _e1622 {
-                                                                        phi_2507_ = type_20();
+                                                                    let _e1804 = (_e1802 > _e1195.member);
+                                                                    if _e1804 {
+                                                                        phi_2747_ = type_20();
                                                                     } else {
-                                                                        let _e1623 = vec3<f32>(_e1460[0][0], _e1460[0][1], _e1460[0][2]);
-                                                                        let _e1624 = vec3<f32>(_e1460[1][0], _e1460[1][1], _e1460[1][2]);
-                                                                        let _e1625 = vec3<f32>(_e1460[2][0], _e1460[2][1], _e1460[2][2]);
-                                                                        let _e1626 = (_e1460[1][0] - _e1460[0][0]);
-                                                                        let _e1627 = (_e1460[1][1] - _e1460[0][1]);
-                                                                        let _e1628 = (_e1460[1][2] - _e1460[0][2]);
-                                                                        let _e1629 = vec3<f32>(_e1626, _e1627, _e1628);
-                                                                        let _e1630 = (_e1460[2][0] - _e1460[1][0]);
-                                                                        let _e1631 = (_e1460[2][1] - _e1460[1][1]);
-                                                                        let _e1632 = (_e1460[2][2] - _e1460[1][2]);
-                                                                        let _e1633 = vec3<f32>(_e1630, _e1631, _e1632);
-                                                                        let _e1634 = (_e1460[0][0] - _e1460[2][0]);
-                                                                        let _e1635 = (_e1460[0][1] - _e1460[2][1]);
-                                                                        let _e1636 = (_e1460[0][2] - _e1460[2][2]);
-                                                                        let _e1637 = vec3<f32>(_e1634, _e1635, _e1636);
-                                                                        let _e1640 = bitcast<f32>((bitcast<u32>(_e1626) & 2147483647u));
-                                                                        let _e1643 = bitcast<f32>((bitcast<u32>(_e1627) & 2147483647u));
-                                                                        let _e1645 = select(_e1643, _e1640, (_e1640 > _e1643));
-                                                                        let _e1648 = bitcast<f32>((bitcast<u32>(_e1628) & 2147483647u));
-                                                                        let _e1650 = select(_e1648, _e1645, (_e1645 > _e1648));
-                                                                        let _e1653 = bitcast<f32>((bitcast<u32>(_e1630) & 2147483647u));
-                                                                        let _e1656 = bitcast<f32>((bitcast<u32>(_e1631) & 2147483647u));
-                                                                        let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
-                                                                        let _e1661 = bitcast<f32>((bitcast<u32>(_e1632) & 2147483647u));
-                                                                        let _e1663 = select(_e1661, _e1658, (_e1658 > _e1661));
-                                                                        let _e1666 = bitcast<f32>((bitcast<u32>(_e1634) & 2147483647u));
-                                                                        let _e1669 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
-                                                                        let _e1671 = select(_e1669, _e1666, (_e1666 > _e1669));
-                                                                        let _e1674 = bitcast<f32>((bitcast<u32>(_e1636) & 2147483647u));
-                                                                        let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
-                                                                        let _e1678 = select(_e1663, _e1650, (_e1650 > _e1663));
-                                                                        let _e1680 = select(_e1676, _e1678, (_e1678 > _e1676));
-                                                                        if (_e1650 == _e1680) {
-                                                                            phi_2240_ = _e1487;
-                                                                            phi_2241_ = _e1484;
-                                                                            phi_2242_ = _e1474;
-                                                                            phi_2243_ = _e1471;
-                                                                            phi_2244_ = _e1623;
-                                                                            phi_2245_ = _e1637;
-                                                                            phi_2246_ = _e1633;
-                                                                            phi_2247_ = _e1629;
+                                                                        let _e1805 = vec3<f32>(_e1642[0][0], _e1642[0][1], _e1642[0][2]);
+                                                                        let _e1806 = vec3<f32>(_e1642[1][0], _e1642[1][1], _e1642[1][2]);
+                                                                        let _e1807 = vec3<f32>(_e1642[2][0], _e1642[2][1], _e1642[2][2]);
+                                                                        let _e1808 = (_e1642[1][0] - _e1642[0][0]);
+                                                                        let _e1809 = (_e1642[1][1] - _e1642[0][1]);
+                                                                        let _e1810 = (_e1642[1][2] - _e1642[0][2]);
+                                                                        let _e1811 = vec3<f32>(_e1808, _e1809, _e1810);
+                                                                        let _e1812 = (_e1642[2][0] - _e1642[1][0]);
+                                                                        let _e1813 = (_e1642[2][1] - _e1642[1][1]);
+                                                                        let _e1814 = (_e1642[2][2] - _e1642[1][2]);
+                                                                        let _e1815 = vec3<f32>(_e1812, _e1813, _e1814);
+                                                                        let _e1816 = (_e1642[0][0] - _e1642[2][0]);
+                                                                        let _e1817 = (_e1642[0][1] - _e1642[2][1]);
+                                                                        let _e1818 = (_e1642[0][2] - _e1642[2][2]);
+                                                                        let _e1819 = vec3<f32>(_e1816, _e1817, _e1818);
+                                                                        let _e1822 = bitcast<f32>((bitcast<u32>(_e1808) & 2147483647u));
+                                                                        let _e1825 = bitcast<f32>((bitcast<u32>(_e1809) & 2147483647u));
+                                                                        let _e1827 = select(_e1825, _e1822, (_e1822 > _e1825));
+                                                                        let _e1830 = bitcast<f32>((bitcast<u32>(_e1810) & 2147483647u));
+                                                                        let _e1832 = select(_e1830, _e1827, (_e1827 > _e1830));
+                                                                        let _e1835 = bitcast<f32>((bitcast<u32>(_e1812) & 2147483647u));
+                                                                        let _e1838 = bitcast<f32>((bitcast<u32>(_e1813) & 2147483647u));
+                                                                        let _e1840 = select(_e1838, _e1835, (_e1835 > _e1838));
+                                                                        let _e1843 = bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u));
+                                                                        let _e1845 = select(_e1843, _e1840, (_e1840 > _e1843));
+                                                                        let _e1848 = bitcast<f32>((bitcast<u32>(_e1816) & 2147483647u));
+                                                                        let _e1851 = bitcast<f32>((bitcast<u32>(_e1817) & 2147483647u));
+                                                                        let _e1853 = select(_e1851, _e1848, (_e1848 > _e1851));
+                                                                        let _e1856 = bitcast<f32>((bitcast<u32>(_e1818) & 2147483647u));
+                                                                        let _e1858 = select(_e1856, _e1853, (_e1853 > _e1856));
+                                                                        let _e1860 = select(_e1845, _e1832, (_e1832 > _e1845));
+                                                                        let _e1862 = select(_e1858, _e1860, (_e1860 > _e1858));
+                                                                        if (_e1832 == _e1862) {
+                                                                            phi_2480_ = _e1669;
+                                                                            phi_2481_ = _e1666;
+                                                                            phi_2482_ = _e1656;
+                                                                            phi_2483_ = _e1653;
+                                                                            phi_2484_ = _e1805;
+                                                                            phi_2485_ = _e1819;
+                                                                            phi_2486_ = _e1815;
+                                                                            phi_2487_ = _e1811;
                                                                         } else {
-                                                                            let _e1682 = (_e1663 == _e1680);
-                                                                            let _e1687 = vec3(_e1682);
-                                                                            phi_2240_ = select(_e1474, _e1500, _e1682);
-                                                                            phi_2241_ = select(_e1471, _e1497, _e1682);
-                                                                            phi_2242_ = select(_e1500, _e1487, _e1682);
-                                                                            phi_2243_ = select(_e1497, _e1484, _e1682);
-                                                                            phi_2244_ = select(_e1625, _e1624, _e1687);
-                                                                            phi_2245_ = select(_e1633, _e1629, _e1687);
-                                                                            phi_2246_ = select(_e1629, _e1637, _e1687);
-                                                                            phi_2247_ = select(_e1637, _e1633, _e1687);
+                                                                            let _e1864 = (_e1845 == _e1862);
+                                                                            let _e1869 = vec3(_e1864);
+                                                                            phi_2480_ = select(_e1656, _e1682, _e1864);
+                                                                            phi_2481_ = select(_e1653, _e1679, _e1864);
+                                                                            phi_2482_ = select(_e1682, _e1669, _e1864);
+                                                                            phi_2483_ = select(_e1679, _e1666, _e1864);
+                                                                            phi_2484_ = select(_e1807, _e1806, _e1869);
+                                                                            phi_2485_ = select(_e1815, _e1811, _e1869);
+                                                                            phi_2486_ = select(_e1811, _e1819, _e1869);
+                                                                            phi_2487_ = select(_e1819, _e1815, _e1869);
                                                                         }
-                                                                        let _e1693 = phi_2240_;
-                                                                        let _e1695 = phi_2241_;
-                                                                        let _e1697 = phi_2242_;
-                                                                        let _e1699 = phi_2243_;
-                                                                        let _e1701 = phi_2244_;
-                                                                        let _e1703 = phi_2245_;
-                                                                        let _e1705 = phi_2246_;
-                                                                        let _e1707 = phi_2247_;
-                                                                        let _e1714 = ((_e1705.y * _e1703.z) - (_e1703.y * _e1705.z));
-                                                                        let _e1719 = ((_e1705.z * _e1703.x) - (_e1703.z * _e1705.x));
-                                                                        let _e1722 = ((_e1705.x * _e1703.y) - (_e1703.x * _e1705.y));
-                                                                        if (_e1522 >= _e1526) {
-                                                                            phi_2278_ = select(true, false, (_e1522 >= _e1530));
+                                                                        let _e1875 = phi_2480_;
+                                                                        let _e1877 = phi_2481_;
+                                                                        let _e1879 = phi_2482_;
+                                                                        let _e1881 = phi_2483_;
+                                                                        let _e1883 = phi_2484_;
+                                                                        let _e1885 = phi_2485_;
+                                                                        let _e1887 = phi_2486_;
+                                                                        let _e1889 = phi_2487_;
+                                                                        let _e1896 = ((_e1887.y * _e1885.z) - (_e1885.y * _e1887.z));
+                                                                        let _e1901 = ((_e1887.z * _e1885.x) - (_e1885.z * _e1887.x));
+                                                                        let _e1904 = ((_e1887.x * _e1885.y) - (_e1885.x * _e1887.y));
+                                                                        if (_e1704 >= _e1708) {
+                                                                            phi_2518_ = select(true, false, (_e1704 >= _e1712));
                                                                         } else {
-                                                                            phi_2278_ = true;
+                                                                            phi_2518_ = true;
                                                                         }
-                                                                        let _e1727 = phi_2278_;
-                                                                        if _e1727 {
-                                                                            phi_2287_ = select(_e1625, _e1624, vec3((_e1526 >= _e1530)));
+                                                                        let _e1909 = phi_2518_;
+                                                                        if _e1909 {
+                                                                            phi_2527_ = select(_e1807, _e1806, vec3((_e1708 >= _e1712)));
                                                                         } else {
-                                                                            phi_2287_ = _e1623;
+                                                                            phi_2527_ = _e1805;
                                                                         }
-                                                                        let _e1732 = phi_2287_;
-                                                                        let _e1743 = (((_e1714 * (_e1732.x - _e310)) + (_e1719 * (_e1732.y - _e349))) + (_e1722 * (_e1732.z - _e387)));
-                                                                        let _e1748 = (((_e1714 * _e335) + (_e1719 * _e373)) + (_e1722 * _e411));
-                                                                        let _e1749 = (_e1695 - _e1699);
-                                                                        let _e1750 = (_e1693 - _e1697);
-                                                                        let _e1758 = (-(((_e1699 * _e1749) + (_e1697 * _e1750))) / ((_e1749 * _e1749) + (_e1750 * _e1750)));
-                                                                        let _e1760 = select(1f, _e1758, (_e1758 < 1f));
-                                                                        let _e1762 = select(0f, _e1760, (_e1760 > 0f));
-                                                                        let _e1775 = ((_e1701.x + (_e1707.x * _e1762)) - _e310);
-                                                                        let _e1776 = ((_e1701.y + (_e1707.y * _e1762)) - _e349);
-                                                                        let _e1777 = ((_e1701.z + (_e1707.z * _e1762)) - _e387);
-                                                                        let _e1778 = (_e1777 / _e411);
-                                                                        let _e1790 = bitcast<f32>((bitcast<u32>(_e1775) & 2147483647u));
-                                                                        let _e1793 = bitcast<f32>((bitcast<u32>(_e1776) & 2147483647u));
-                                                                        let _e1795 = select(_e1793, _e1790, (_e1790 > _e1793));
-                                                                        let _e1798 = bitcast<f32>((bitcast<u32>(_e1777) & 2147483647u));
-                                                                        let _e1800 = select(_e1798, _e1795, (_e1795 > _e1798));
-                                                                        let _e1806 = bitcast<f32>((bitcast<u32>(_e1714) & 2147483647u));
-                                                                        let _e1809 = bitcast<f32>((bitcast<u32>(_e1719) & 2147483647u));
-                                                                        let _e1811 = select(_e1809, _e1806, (_e1806 > _e1809));
-                                                                        let _e1814 = bitcast<f32>((bitcast<u32>(_e1722) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1714 * _e1775) + (_e1719 * _e1776)) + (_e1722 * _e1777)) - _e1743)) & 2147483647u)) <= ((0.0000009536743f * select(_e1680, _e1800, (_e1800 > _e1680))) * select(_e1814, _e1811, (_e1811 > _e1814)))) {
-                                                                            let _e1824 = bitcast<f32>((bitcast<u32>(_e1705.x) & 2147483647u));
-                                                                            let _e1827 = bitcast<f32>((bitcast<u32>(_e1705.y) & 2147483647u));
-                                                                            let _e1829 = select(_e1827, _e1824, (_e1824 > _e1827));
-                                                                            let _e1832 = bitcast<f32>((bitcast<u32>(_e1705.z) & 2147483647u));
-                                                                            let _e1838 = bitcast<f32>((bitcast<u32>(_e1703.x) & 2147483647u));
-                                                                            let _e1841 = bitcast<f32>((bitcast<u32>(_e1703.y) & 2147483647u));
-                                                                            let _e1843 = select(_e1841, _e1838, (_e1838 > _e1841));
-                                                                            let _e1846 = bitcast<f32>((bitcast<u32>(_e1703.z) & 2147483647u));
-                                                                            let _e1850 = (bitcast<f32>((bitcast<u32>(_e1748) & 2147483647u)) > ((0.0000038146973f * select(_e1832, _e1829, (_e1829 > _e1832))) * select(_e1846, _e1843, (_e1843 > _e1846))));
-                                                                            if _e1850 {
-                                                                                phi_2452_ = (_e1743 / _e1748);
+                                                                        let _e1914 = phi_2527_;
+                                                                        let _e1925 = (((_e1896 * (_e1914.x - _e328)) + (_e1901 * (_e1914.y - _e397))) + (_e1904 * (_e1914.z - _e465)));
+                                                                        let _e1930 = (((_e1896 * _e368) + (_e1901 * _e436)) + (_e1904 * _e504));
+                                                                        let _e1931 = (_e1877 - _e1881);
+                                                                        let _e1932 = (_e1875 - _e1879);
+                                                                        let _e1940 = (-(((_e1881 * _e1931) + (_e1879 * _e1932))) / ((_e1931 * _e1931) + (_e1932 * _e1932)));
+                                                                        let _e1942 = select(1f, _e1940, (_e1940 < 1f));
+                                                                        let _e1944 = select(0f, _e1942, (_e1942 > 0f));
+                                                                        let _e1957 = ((_e1883.x + (_e1889.x * _e1944)) - _e328);
+                                                                        let _e1958 = ((_e1883.y + (_e1889.y * _e1944)) - _e397);
+                                                                        let _e1959 = ((_e1883.z + (_e1889.z * _e1944)) - _e465);
+                                                                        let _e1960 = (_e1959 / _e504);
+                                                                        let _e1972 = bitcast<f32>((bitcast<u32>(_e1957) & 2147483647u));
+                                                                        let _e1975 = bitcast<f32>((bitcast<u32>(_e1958) & 2147483647u));
+                                                                        let _e1977 = select(_e1975, _e1972, (_e1972 > _e1975));
+                                                                        let _e1980 = bitcast<f32>((bitcast<u32>(_e1959) & 2147483647u));
+                                                                        let _e1982 = select(_e1980, _e1977, (_e1977 > _e1980));
+                                                                        let _e1988 = bitcast<f32>((bitcast<u32>(_e1896) & 2147483647u));
+                                                                        let _e1991 = bitcast<f32>((bitcast<u32>(_e1901) & 2147483647u));
+                                                                        let _e1993 = select(_e1991, _e1988, (_e1988 > _e1991));
+                                                                        let _e1996 = bitcast<f32>((bitcast<u32>(_e1904) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1896 * _e1957) + (_e1901 * _e1958)) + (_e1904 * _e1959)) - _e1925)) & 2147483647u)) <= ((0.0000009536743f * select(_e1862, _e1982, (_e1982 > _e1862))) * select(_e1996, _e1993, (_e1993 > _e1996)))) {
+                                                                            let _e2006 = bitcast<f32>((bitcast<u32>(_e1887.x) & 2147483647u));
+                                                                            let _e2009 = bitcast<f32>((bitcast<u32>(_e1887.y) & 2147483647u));
+                                                                            let _e2011 = select(_e2009, _e2006, (_e2006 > _e2009));
+                                                                            let _e2014 = bitcast<f32>((bitcast<u32>(_e1887.z) & 2147483647u));
+                                                                            let _e2020 = bitcast<f32>((bitcast<u32>(_e1885.x) & 2147483647u));
+                                                                            let _e2023 = bitcast<f32>((bitcast<u32>(_e1885.y) & 2147483647u));
+                                                                            let _e2025 = select(_e2023, _e2020, (_e2020 > _e2023));
+                                                                            let _e2028 = bitcast<f32>((bitcast<u32>(_e1885.z) & 2147483647u));
+                                                                            let _e2032 = (bitcast<f32>((bitcast<u32>(_e1930) & 2147483647u)) > ((0.0000038146973f * select(_e2014, _e2011, (_e2011 > _e2014))) * select(_e2028, _e2025, (_e2025 > _e2028))));
+                                                                            if _e2032 {
+                                                                                phi_2692_ = (_e1925 / _e1930);
                                                                             } else {
-                                                                                phi_2452_ = f32();
+                                                                                phi_2692_ = f32();
                                                                             }
-                                                                            let _e1853 = phi_2452_;
-                                                                            phi_2454_ = _e1853;
-                                                                            phi_2455_ = select(true, false, _e1850);
+                                                                            let _e2035 = phi_2692_;
+                                                                            phi_2694_ = _e2035;
+                                                                            phi_2695_ = select(true, false, _e2032);
                                                                         } else {
-                                                                            phi_2454_ = f32();
-                                                                            phi_2455_ = true;
+                                                                            phi_2694_ = f32();
+                                                                            phi_2695_ = true;
                                                                         }
-                                                                        let _e1856 = phi_2454_;
-                                                                        let _e1858 = phi_2455_;
-                                                                        if _e1858 {
-                                                                            let _e1866 = (((_e1714 * (_e1775 - (_e335 * _e1778))) + (_e1719 * (_e1776 - (_e373 * _e1778)))) / _e1748);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1866) & 2147483647u)) <= _e1680) {
-                                                                                phi_2475_ = (_e1778 + _e1866);
+                                                                        let _e2038 = phi_2694_;
+                                                                        let _e2040 = phi_2695_;
+                                                                        if _e2040 {
+                                                                            let _e2048 = (((_e1896 * (_e1957 - (_e368 * _e1960))) + (_e1901 * (_e1958 - (_e436 * _e1960)))) / _e1930);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e2048) & 2147483647u)) <= _e1862) {
+                                                                                phi_2715_ = (_e1960 + _e2048);
                                                                             } else {
-                                                                                phi_2475_ = _e1778;
+                                                                                phi_2715_ = _e1960;
                                                                             }
-                                                                            let _e1873 = phi_2475_;
-                                                                            phi_2476_ = _e1873;
+                                                                            let _e2055 = phi_2715_;
+                                                                            phi_2716_ = _e2055;
                                                                         } else {
-                                                                            phi_2476_ = _e1856;
+                                                                            phi_2716_ = _e2038;
                                                                         }
-                                                                        let _e1875 = phi_2476_;
-                                                                        let _e1877 = select(_e1613, _e1875, (_e1875 < _e1613));
-                                                                        let _e1879 = select(_e1605, _e1877, (_e1877 > _e1605));
-                                                                        if (_e1879 >= _e461) {
-                                                                            let _e1881 = (_e1879 <= _e1031.member);
-                                                                            if _e1881 {
-                                                                                let _e1882 = (1f / _e1532);
-                                                                                phi_2499_ = type_20(_e1879, (_e1526 * _e1882), (_e1530 * _e1882), _e1091);
+                                                                        let _e2057 = phi_2716_;
+                                                                        let _e2059 = select(_e1795, _e2057, (_e2057 < _e1795));
+                                                                        let _e2061 = select(_e1787, _e2059, (_e2059 > _e1787));
+                                                                        if (_e2061 >= _e619) {
+                                                                            let _e2063 = (_e2061 <= _e1195.member);
+                                                                            if _e2063 {
+                                                                                let _e2064 = (1f / _e1714);
+                                                                                phi_2739_ = type_20(_e2061, (_e1708 * _e2064), (_e1712 * _e2064), _e1255);
                                                                             } else {
-                                                                                phi_2499_ = type_20();
+                                                                                phi_2739_ = type_20();
                                                                             }
-                                                                            let _e1887 = phi_2499_;
-                                                                            phi_2501_ = _e1887;
-                                                                            phi_2502_ = select(true, false, _e1881);
+                                                                            let _e2069 = phi_2739_;
+                                                                            phi_2741_ = _e2069;
+                                                                            phi_2742_ = select(true, false, _e2063);
                                                                         } else {
-                                                                            phi_2501_ = type_20();
-                                                                            phi_2502_ = true;
+                                                                            phi_2741_ = type_20();
+                                                                            phi_2742_ = true;
                                                                         }
-                                                                        let _e1890 = phi_2501_;
-                                                                        let _e1892 = phi_2502_;
-                                                                        if _e1892 {
-                                                                            phi_2506_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e2072 = phi_2741_;
+                                                                        let _e2074 = phi_2742_;
+                                                                        if _e2074 {
+                                                                            phi_2746_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2506_ = _e1890;
+                                                                            phi_2746_ = _e2072;
                                                                         }
-                                                                        let _e1894 = phi_2506_;
-                                                                        phi_2507_ = _e1894;
+                                                                        let _e2076 = phi_2746_;
+                                                                        phi_2747_ = _e2076;
                                                                     }
-                                                                    let _e1896 = phi_2507_;
-                                                                    phi_2508_ = _e1896;
-                                                                    phi_2509_ = _e1622;
+                                                                    let _e2078 = phi_2747_;
+                                                                    phi_2748_ = _e2078;
+                                                                    phi_2749_ = _e1804;
                                                                 }
-                                                                let _e1898 = phi_2508_;
-                                                                let _e1900 = phi_2509_;
-                                                                phi_2513_ = _e1898;
-                                                                phi_2514_ = _e1900;
+                                                                let _e2080 = phi_2748_;
+                                                                let _e2082 = phi_2749_;
+                                                                phi_2753_ = _e2080;
+                                                                phi_2754_ = _e2082;
                                                             }
-                                                            let _e1902 = phi_2513_;
-                                                            let _e1904 = phi_2514_;
-                                                            phi_2515_ = _e1902;
-                                                            phi_2516_ = _e1557;
-                                                            phi_2517_ = _e1904;
+                                                            let _e2084 = phi_2753_;
+                                                            let _e2086 = phi_2754_;
+                                                            phi_2755_ = _e2084;
+                                                            phi_2756_ = _e1739;
+                                                            phi_2757_ = _e2086;
                                                         }
-                                                        let _e1906 = phi_2515_;
-                                                        let _e1908 = phi_2516_;
-                                                        let _e1910 = phi_2517_;
-                                                        phi_2518_ = _e1906;
-                                                        phi_2519_ = _e1908;
-                                                        phi_2520_ = _e1910;
+                                                        let _e2088 = phi_2755_;
+                                                        let _e2090 = phi_2756_;
+                                                        let _e2092 = phi_2757_;
+                                                        phi_2758_ = _e2088;
+                                                        phi_2759_ = _e2090;
+                                                        phi_2760_ = _e2092;
                                                     }
-                                                    let _e1912 = phi_2518_;
-                                                    let _e1914 = phi_2519_;
-                                                    let _e1916 = phi_2520_;
-                                                    phi_2528_ = _e1912;
-                                                    phi_2529_ = select(_e1916, true, _e1914);
+                                                    let _e2094 = phi_2758_;
+                                                    let _e2096 = phi_2759_;
+                                                    let _e2098 = phi_2760_;
+                                                    phi_2768_ = _e2094;
+                                                    phi_2769_ = select(_e2098, true, _e2096);
                                                 } else {
-                                                    phi_2528_ = type_20();
-                                                    phi_2529_ = true;
+                                                    phi_2768_ = type_20();
+                                                    phi_2769_ = true;
                                                 }
-                                                let _e1919 = phi_2528_;
-                                                let _e1921 = phi_2529_;
-                                                if _e1921 {
-                                                    phi_2533_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e2101 = phi_2768_;
+                                                let _e2103 = phi_2769_;
+                                                if _e2103 {
+                                                    phi_2773_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2533_ = _e1919;
+                                                    phi_2773_ = _e2101;
                                                 }
-                                                let _e1923 = phi_2533_;
-                                                if (_e1923.member_3 != 4294967295u) {
-                                                    if (_e1091 != 4294967295u) {
-                                                        phi_2544_ = type_34(_e1031.member, true);
+                                                let _e2105 = phi_2773_;
+                                                if (_e2105.member_3 != 4294967295u) {
+                                                    if (_e1255 != 4294967295u) {
+                                                        phi_2784_ = type_34(_e1195.member, true);
                                                     } else {
-                                                        phi_2544_ = _e1031;
+                                                        phi_2784_ = _e1195;
                                                     }
-                                                    let _e1931 = phi_2544_;
-                                                    phi_2545_ = _e1931;
+                                                    let _e2113 = phi_2784_;
+                                                    phi_2785_ = _e2113;
                                                 } else {
-                                                    phi_2545_ = _e1031;
+                                                    phi_2785_ = _e1195;
                                                 }
-                                                let _e1933 = phi_2545_;
-                                                phi_975_ = _e1933;
+                                                let _e2115 = phi_2785_;
+                                                phi_1197_ = _e2115;
                                             } else {
-                                                phi_975_ = type_34();
+                                                phi_1197_ = type_34();
                                             }
-                                            let _e1935 = phi_975_;
+                                            let _e2117 = phi_1197_;
                                             continue;
                                             continuing {
-                                                phi_974_ = _e1935;
-                                                phi_977_ = _e1046;
-                                                phi_4004_ = _e503;
-                                                break if !(_e1052);
+                                                phi_1196_ = _e2117;
+                                                phi_1199_ = _e1210;
+                                                phi_4252_ = _e661;
+                                                break if !(_e1216);
                                             }
                                         }
-                                        let _e1938 = phi_4004_;
-                                        phi_4190_ = _e1938;
-                                        if _e1938 {
+                                        let _e2120 = phi_4252_;
+                                        phi_4456_ = _e2120;
+                                        if _e2120 {
                                             break;
                                         }
-                                        let _e1940 = local_10;
-                                        phi_4194_ = _e1938;
-                                        let _e2140 = local_12;
-                                        phi_3786_ = _e2140;
-                                        phi_3787_ = _e544;
-                                        phi_3788_ = false;
-                                        phi_3789_ = select(_e548, 0u, _e1940.member_1);
+                                        let _e2122 = local_10;
+                                        phi_4460_ = _e2120;
+                                        let _e2328 = local_12;
+                                        phi_4026_ = _e2328;
+                                        phi_4027_ = _e702;
+                                        phi_4028_ = false;
+                                        phi_4029_ = select(_e706, 0u, _e2122.member_1);
                                     } else {
-                                        if (_e544.member_1 >= _e90) {
-                                            phi_3342_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e702.member_1 >= _e93) {
+                                            phi_3582_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e544.member_1 < _e90) {
+                                            if (_e702.member_1 < _e93) {
                                             } else {
-                                                phi_4190_ = true;
+                                                phi_4456_ = true;
                                                 break;
                                             }
-                                            let _e560 = (_e261 * 2u);
-                                            let _e562 = ((1u + _e560) % 7u);
-                                            if (_e562 < 7u) {
+                                            let _e718 = (_e264 * 2u);
+                                            let _e720 = ((1u + _e718) % 7u);
+                                            if (_e720 < 7u) {
                                             } else {
-                                                phi_4190_ = true;
+                                                phi_4456_ = true;
                                                 break;
                                             }
-                                            let _e567 = global_5.member[_e544.member_1][_e562];
-                                            let _e569 = ((_e560 + 2u) % 7u);
-                                            if (_e569 < 7u) {
+                                            let _e725 = global_5.member[_e702.member_1][_e720];
+                                            let _e727 = ((_e718 + 2u) % 7u);
+                                            if (_e727 < 7u) {
                                             } else {
-                                                phi_4190_ = true;
+                                                phi_4456_ = true;
                                                 break;
                                             }
-                                            let _e574 = global_5.member[_e544.member_1][_e569];
-                                            let _e575 = (_e260 * 2u);
-                                            let _e577 = ((1u + _e575) % 7u);
-                                            if (_e577 < 7u) {
+                                            let _e732 = global_5.member[_e702.member_1][_e727];
+                                            let _e733 = (_e263 * 2u);
+                                            let _e735 = ((1u + _e733) % 7u);
+                                            if (_e735 < 7u) {
                                             } else {
-                                                phi_4190_ = true;
+                                                phi_4456_ = true;
                                                 break;
                                             }
-                                            let _e582 = global_5.member[_e544.member_1][_e577];
-                                            let _e584 = ((_e575 + 2u) % 7u);
-                                            if (_e584 < 7u) {
+                                            let _e740 = global_5.member[_e702.member_1][_e735];
+                                            let _e742 = ((_e733 + 2u) % 7u);
+                                            if (_e742 < 7u) {
                                             } else {
-                                                phi_4190_ = true;
+                                                phi_4456_ = true;
                                                 break;
                                             }
-                                            let _e589 = global_5.member[_e544.member_1][_e584];
-                                            let _e590 = (_e262 * 2u);
-                                            let _e592 = ((1u + _e590) % 7u);
-                                            if (_e592 < 7u) {
+                                            let _e747 = global_5.member[_e702.member_1][_e742];
+                                            let _e748 = (_e265 * 2u);
+                                            let _e750 = ((1u + _e748) % 7u);
+                                            if (_e750 < 7u) {
                                             } else {
-                                                phi_4190_ = true;
+                                                phi_4456_ = true;
                                                 break;
                                             }
-                                            let _e597 = global_5.member[_e544.member_1][_e592];
-                                            let _e599 = ((_e590 + 2u) % 7u);
-                                            if (_e599 < 7u) {
+                                            let _e755 = global_5.member[_e702.member_1][_e750];
+                                            let _e757 = ((_e748 + 2u) % 7u);
+                                            if (_e757 < 7u) {
                                             } else {
-                                                phi_4190_ = true;
+                                                phi_4456_ = true;
                                                 break;
                                             }
-                                            let _e604 = global_5.member[_e544.member_1][_e599];
-                                            let _e627 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.x - _e544.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e628 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.y - _e544.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e629 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.z - _e544.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e631 = select(_e141, _e627, (_e627 > _e141));
-                                            let _e633 = select(_e141, _e628, (_e628 > _e141));
-                                            let _e635 = select(_e141, _e629, (_e629 > _e141));
-                                            let _e660 = bitcast<u32>((f32(bitcast<i32>((_e567 & 2097151u))) * _e631));
-                                            let _e665 = (bitcast<i32>((_e567 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e668 = bitcast<f32>((_e660 & bitcast<u32>(_e665)));
-                                            let _e669 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e633));
-                                            let _e674 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e677 = bitcast<f32>((_e669 & bitcast<u32>(_e674)));
-                                            let _e678 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e635));
-                                            let _e683 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e686 = bitcast<f32>((_e678 & bitcast<u32>(_e683)));
-                                            let _e690 = bitcast<f32>((_e660 & bitcast<u32>(~(_e665))));
-                                            let _e694 = bitcast<f32>((_e669 & bitcast<u32>(~(_e674))));
-                                            let _e698 = bitcast<f32>((_e678 & bitcast<u32>(~(_e683))));
-                                            let _e699 = bitcast<u32>((f32(bitcast<i32>((_e574 & 2097151u))) * _e631));
-                                            let _e704 = (bitcast<i32>((_e574 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e707 = bitcast<f32>((_e699 & bitcast<u32>(_e704)));
-                                            let _e708 = bitcast<u32>((f32(bitcast<i32>((_e589 & 2097151u))) * _e633));
-                                            let _e713 = (bitcast<i32>((_e589 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e716 = bitcast<f32>((_e708 & bitcast<u32>(_e713)));
-                                            let _e717 = bitcast<u32>((f32(bitcast<i32>((_e604 & 2097151u))) * _e635));
-                                            let _e722 = (bitcast<i32>((_e604 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e725 = bitcast<f32>((_e717 & bitcast<u32>(_e722)));
-                                            let _e729 = bitcast<f32>((_e699 & bitcast<u32>(~(_e704))));
-                                            let _e733 = bitcast<f32>((_e708 & bitcast<u32>(~(_e713))));
-                                            let _e737 = bitcast<f32>((_e717 & bitcast<u32>(~(_e722))));
-                                            let _e738 = (_e544.member.member.x + _e668);
-                                            let _e739 = (_e544.member.member.y + _e677);
-                                            let _e740 = (_e544.member.member.z + _e686);
-                                            let _e743 = (_e544.member.member_1.x - _e707);
-                                            let _e744 = (_e544.member.member_1.y - _e716);
-                                            let _e745 = (_e544.member.member_1.z - _e725);
-                                            let _e764 = (_e743 - _e738);
-                                            let _e765 = (_e744 - _e739);
-                                            let _e766 = (_e745 - _e740);
-                                            let _e768 = select(_e765, _e764, (_e764 > _e765));
-                                            let _e770 = select(_e766, _e768, (_e768 > _e766));
-                                            if (_e770 < (1024f * _e141)) {
-                                                phi_3043_ = 0u;
+                                            let _e762 = global_5.member[_e702.member_1][_e757];
+                                            let _e785 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.x - _e702.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e786 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.y - _e702.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e787 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.z - _e702.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e789 = select(_e144, _e785, (_e785 > _e144));
+                                            let _e791 = select(_e144, _e786, (_e786 > _e144));
+                                            let _e793 = select(_e144, _e787, (_e787 > _e144));
+                                            let _e824 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 2097151u))) - 8388608f) * _e789));
+                                            let _e829 = (bitcast<i32>((_e725 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e832 = bitcast<f32>((_e824 & bitcast<u32>(_e829)));
+                                            let _e833 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 2097151u))) - 8388608f) * _e791));
+                                            let _e838 = (bitcast<i32>((_e740 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e841 = bitcast<f32>((_e833 & bitcast<u32>(_e838)));
+                                            let _e842 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e755 & 2097151u))) - 8388608f) * _e793));
+                                            let _e847 = (bitcast<i32>((_e755 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e850 = bitcast<f32>((_e842 & bitcast<u32>(_e847)));
+                                            let _e854 = bitcast<f32>((_e824 & bitcast<u32>(~(_e829))));
+                                            let _e858 = bitcast<f32>((_e833 & bitcast<u32>(~(_e838))));
+                                            let _e862 = bitcast<f32>((_e842 & bitcast<u32>(~(_e847))));
+                                            let _e863 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e732 & 2097151u))) - 8388608f) * _e789));
+                                            let _e868 = (bitcast<i32>((_e732 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e871 = bitcast<f32>((_e863 & bitcast<u32>(_e868)));
+                                            let _e872 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e747 & 2097151u))) - 8388608f) * _e791));
+                                            let _e877 = (bitcast<i32>((_e747 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e880 = bitcast<f32>((_e872 & bitcast<u32>(_e877)));
+                                            let _e881 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e762 & 2097151u))) - 8388608f) * _e793));
+                                            let _e886 = (bitcast<i32>((_e762 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e889 = bitcast<f32>((_e881 & bitcast<u32>(_e886)));
+                                            let _e893 = bitcast<f32>((_e863 & bitcast<u32>(~(_e868))));
+                                            let _e897 = bitcast<f32>((_e872 & bitcast<u32>(~(_e877))));
+                                            let _e901 = bitcast<f32>((_e881 & bitcast<u32>(~(_e886))));
+                                            let _e902 = (_e702.member.member.x + _e832);
+                                            let _e903 = (_e702.member.member.y + _e841);
+                                            let _e904 = (_e702.member.member.z + _e850);
+                                            let _e907 = (_e702.member.member_1.x - _e871);
+                                            let _e908 = (_e702.member.member_1.y - _e880);
+                                            let _e909 = (_e702.member.member_1.z - _e889);
+                                            let _e928 = (_e907 - _e902);
+                                            let _e929 = (_e908 - _e903);
+                                            let _e930 = (_e909 - _e904);
+                                            let _e932 = select(_e929, _e928, (_e928 > _e929));
+                                            let _e934 = select(_e930, _e932, (_e932 > _e930));
+                                            if (_e934 < (1024f * _e144)) {
+                                                phi_3283_ = 0u;
                                             } else {
-                                                phi_3043_ = select(2u, 1u, (_e770 < (2097152f * _e141)));
+                                                phi_3283_ = select(2u, 1u, (_e934 < (2097152f * _e144)));
                                             }
-                                            let _e777 = phi_3043_;
-                                            switch bitcast<i32>(_e777) {
+                                            let _e941 = phi_3283_;
+                                            switch bitcast<i32>(_e941) {
                                                 case 0: {
-                                                    phi_3049_ = 1u;
+                                                    phi_3289_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3049_ = 2u;
+                                                    phi_3289_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3049_ = 3u;
+                                                    phi_3289_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3049_ = u32();
+                                                    phi_3289_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e780 = phi_3049_;
-                                            let _e786 = global_5.member[_e544.member_1][0u];
-                                            let _e790 = global_5.member[_e544.member_1][2u];
-                                            let _e794 = global_5.member[_e544.member_1][4u];
-                                            let _e798 = global_5.member[_e544.member_1][6u];
-                                            let _e810 = (((_e790 >> bitcast<u32>(22i)) | ((_e794 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e798 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e811 = (_e786 & 268435455u);
-                                            let _e812 = (_e810 & 268435455u);
-                                            let _e815 = ((_e786 >> bitcast<u32>(28u)) & 7u);
-                                            let _e823 = ((_e786 >> bitcast<u32>(31i)) | (((_e810 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e824 = (_e815 != 0u);
-                                            if (_e815 == 0u) {
-                                                phi_3304_ = _e811;
+                                            let _e944 = phi_3289_;
+                                            let _e950 = global_5.member[_e702.member_1][0u];
+                                            let _e954 = global_5.member[_e702.member_1][2u];
+                                            let _e958 = global_5.member[_e702.member_1][4u];
+                                            let _e962 = global_5.member[_e702.member_1][6u];
+                                            let _e974 = (((_e954 >> bitcast<u32>(22i)) | ((_e958 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e962 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e975 = (_e950 & 268435455u);
+                                            let _e976 = (_e974 & 268435455u);
+                                            let _e979 = ((_e950 >> bitcast<u32>(28u)) & 7u);
+                                            let _e987 = ((_e950 >> bitcast<u32>(31i)) | (((_e974 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e988 = (_e979 != 0u);
+                                            if (_e979 == 0u) {
+                                                phi_3544_ = _e975;
                                             } else {
-                                                if (_e815 == 7u) {
-                                                    phi_3303_ = 2147483648u;
+                                                if (_e979 == 7u) {
+                                                    phi_3543_ = 2147483648u;
                                                 } else {
-                                                    phi_3303_ = ((2147483648u | (_e815 << bitcast<u32>(28u))) | (_e812 & 268435455u));
+                                                    phi_3543_ = ((2147483648u | (_e979 << bitcast<u32>(28u))) | (_e976 & 268435455u));
                                                 }
-                                                let _e833 = phi_3303_;
-                                                phi_3304_ = _e833;
+                                                let _e997 = phi_3543_;
+                                                phi_3544_ = _e997;
                                             }
-                                            let _e835 = phi_3304_;
-                                            if _e824 {
-                                                let _e836 = (_e815 != 7u);
-                                                if _e836 {
-                                                    phi_3314_ = (_e812 + (_e815 * ((3u * _e780) + 1u)));
+                                            let _e999 = phi_3544_;
+                                            if _e988 {
+                                                let _e1000 = (_e979 != 7u);
+                                                if _e1000 {
+                                                    phi_3554_ = (_e976 + (_e979 * ((3u * _e944) + 1u)));
                                                 } else {
-                                                    phi_3314_ = u32();
+                                                    phi_3554_ = u32();
                                                 }
-                                                let _e840 = phi_3314_;
-                                                phi_3316_ = _e840;
-                                                phi_3317_ = select(true, false, _e836);
+                                                let _e1004 = phi_3554_;
+                                                phi_3556_ = _e1004;
+                                                phi_3557_ = select(true, false, _e1000);
                                             } else {
-                                                phi_3316_ = u32();
-                                                phi_3317_ = true;
+                                                phi_3556_ = u32();
+                                                phi_3557_ = true;
                                             }
-                                            let _e843 = phi_3316_;
-                                            let _e845 = phi_3317_;
-                                            if (_e823 == 0u) {
-                                                phi_3338_ = (_e811 + select(0u, 1u, !(_e824)));
+                                            let _e1007 = phi_3556_;
+                                            let _e1009 = phi_3557_;
+                                            if (_e987 == 0u) {
+                                                phi_3578_ = (_e975 + select(0u, 1u, !(_e988)));
                                             } else {
-                                                if (_e823 == 7u) {
-                                                    phi_3337_ = 2147483648u;
+                                                if (_e987 == 7u) {
+                                                    phi_3577_ = 2147483648u;
                                                 } else {
-                                                    phi_3337_ = ((2147483648u | (_e823 << bitcast<u32>(28u))) | (select(_e843, _e812, _e845) & 268435455u));
+                                                    phi_3577_ = ((2147483648u | (_e987 << bitcast<u32>(28u))) | (select(_e1007, _e976, _e1009) & 268435455u));
                                                 }
-                                                let _e858 = phi_3337_;
-                                                phi_3338_ = _e858;
+                                                let _e1022 = phi_3577_;
+                                                phi_3578_ = _e1022;
                                             }
-                                            let _e860 = phi_3338_;
-                                            phi_3342_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e738, (_e544.member.member.x + _e690), _e743, (_e544.member.member_1.x - _e729)), vec4<f32>(_e739, (_e544.member.member.y + _e694), _e744, (_e544.member.member_1.y - _e733)), vec4<f32>(_e740, (_e544.member.member.z + _e698), _e745, (_e544.member.member_1.z - _e737))), type_45(type_24((_e544.member.member + vec4<f32>(_e668, _e677, _e686, 0f)), (_e544.member.member_1 - vec4<f32>(_e707, _e716, _e725, 0f))), _e835), type_45(type_24((_e544.member.member + vec4<f32>(_e690, _e694, _e698, 0f)), (_e544.member.member_1 - vec4<f32>(_e729, _e733, _e737, 0f))), _e860));
+                                            let _e1024 = phi_3578_;
+                                            phi_3582_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e902, (_e702.member.member.x + _e854), _e907, (_e702.member.member_1.x - _e893)), vec4<f32>(_e903, (_e702.member.member.y + _e858), _e908, (_e702.member.member_1.y - _e897)), vec4<f32>(_e904, (_e702.member.member.z + _e862), _e909, (_e702.member.member_1.z - _e901))), type_45(type_24((_e702.member.member + vec4<f32>(_e832, _e841, _e850, 0f)), (_e702.member.member_1 - vec4<f32>(_e871, _e880, _e889, 0f))), _e999), type_45(type_24((_e702.member.member + vec4<f32>(_e854, _e858, _e862, 0f)), (_e702.member.member_1 - vec4<f32>(_e893, _e897, _e901, 0f))), _e1024));
                                         }
-                                        let _e865 = phi_3342_;
-                                        let _e877 = ((_e865.member[0].x - _e333) * _e338);
-                                        let _e878 = ((_e865.member[0].y - _e333) * _e338);
-                                        let _e879 = ((_e865.member[0].z - _e334) * _e338);
-                                        let _e880 = ((_e865.member[0].w - _e334) * _e338);
-                                        let _e890 = ((_e865.member[1].x - _e371) * _e376);
-                                        let _e891 = ((_e865.member[1].y - _e371) * _e376);
-                                        let _e892 = ((_e865.member[1].z - _e372) * _e376);
-                                        let _e893 = ((_e865.member[1].w - _e372) * _e376);
-                                        let _e903 = ((_e865.member[2].x - _e409) * _e414);
-                                        let _e904 = ((_e865.member[2].y - _e409) * _e414);
-                                        let _e905 = ((_e865.member[2].z - _e410) * _e414);
-                                        let _e906 = ((_e865.member[2].w - _e410) * _e414);
-                                        let _e908 = select(_e905, _e903, (_e903 < _e905));
-                                        let _e910 = select(_e906, _e904, (_e904 < _e906));
-                                        let _e912 = select(_e905, _e903, (_e903 > _e905));
-                                        let _e914 = select(_e906, _e904, (_e904 > _e906));
-                                        let _e916 = select(_e879, _e877, (_e877 < _e879));
-                                        let _e918 = select(_e880, _e878, (_e878 < _e880));
-                                        let _e920 = select(_e892, _e890, (_e890 < _e892));
-                                        let _e922 = select(_e893, _e891, (_e891 < _e893));
-                                        let _e924 = select(_e920, _e916, (_e916 > _e920));
-                                        let _e926 = select(_e922, _e918, (_e918 > _e922));
-                                        let _e928 = select(_e908, _e924, (_e924 > _e908));
-                                        let _e930 = select(_e910, _e926, (_e926 > _e910));
-                                        let _e932 = select(_e879, _e877, (_e877 > _e879));
-                                        let _e934 = select(_e880, _e878, (_e878 > _e880));
-                                        let _e936 = select(_e892, _e890, (_e890 > _e892));
-                                        let _e938 = select(_e893, _e891, (_e891 > _e893));
-                                        let _e940 = select(_e936, _e932, (_e932 < _e936));
-                                        let _e942 = select(_e938, _e934, (_e934 < _e938));
-                                        let _e947 = -(_e908);
-                                        let _e948 = -(_e910);
-                                        let _e955 = (select(_e912, _e940, (_e940 < _e912)) + (select(_e947, _e912, (_e912 > _e947)) * 0.0000019073523f));
-                                        let _e956 = (select(_e914, _e942, (_e942 < _e914)) + (select(_e948, _e914, (_e914 > _e948)) * 0.0000019073523f));
-                                        let _e958 = select(_e461, _e928, (_e928 > _e461));
-                                        let _e960 = select(_e461, _e930, (_e930 > _e461));
-                                        let _e965 = (_e958 <= select(_e505.member, _e955, (_e955 < _e505.member)));
-                                        let _e966 = (_e960 <= select(_e505.member, _e956, (_e956 < _e505.member)));
-                                        let _e967 = (_e958 <= _e960);
-                                        if _e965 {
-                                            if _e966 {
-                                                if _e967 {
-                                                    phi_3686_ = _e865.member_2;
+                                        let _e1029 = phi_3582_;
+                                        let _e1041 = ((_e1029.member[0].x - _e366) * _e371);
+                                        let _e1042 = ((_e1029.member[0].y - _e366) * _e371);
+                                        let _e1043 = ((_e1029.member[0].z - _e367) * _e371);
+                                        let _e1044 = ((_e1029.member[0].w - _e367) * _e371);
+                                        let _e1054 = ((_e1029.member[1].x - _e434) * _e439);
+                                        let _e1055 = ((_e1029.member[1].y - _e434) * _e439);
+                                        let _e1056 = ((_e1029.member[1].z - _e435) * _e439);
+                                        let _e1057 = ((_e1029.member[1].w - _e435) * _e439);
+                                        let _e1067 = ((_e1029.member[2].x - _e502) * _e507);
+                                        let _e1068 = ((_e1029.member[2].y - _e502) * _e507);
+                                        let _e1069 = ((_e1029.member[2].z - _e503) * _e507);
+                                        let _e1070 = ((_e1029.member[2].w - _e503) * _e507);
+                                        let _e1072 = select(_e1069, _e1067, (_e1067 < _e1069));
+                                        let _e1074 = select(_e1070, _e1068, (_e1068 < _e1070));
+                                        let _e1076 = select(_e1069, _e1067, (_e1067 > _e1069));
+                                        let _e1078 = select(_e1070, _e1068, (_e1068 > _e1070));
+                                        let _e1080 = select(_e1043, _e1041, (_e1041 < _e1043));
+                                        let _e1082 = select(_e1044, _e1042, (_e1042 < _e1044));
+                                        let _e1084 = select(_e1056, _e1054, (_e1054 < _e1056));
+                                        let _e1086 = select(_e1057, _e1055, (_e1055 < _e1057));
+                                        let _e1088 = select(_e1084, _e1080, (_e1080 > _e1084));
+                                        let _e1090 = select(_e1086, _e1082, (_e1082 > _e1086));
+                                        let _e1092 = select(_e1072, _e1088, (_e1088 > _e1072));
+                                        let _e1094 = select(_e1074, _e1090, (_e1090 > _e1074));
+                                        let _e1096 = select(_e1043, _e1041, (_e1041 > _e1043));
+                                        let _e1098 = select(_e1044, _e1042, (_e1042 > _e1044));
+                                        let _e1100 = select(_e1056, _e1054, (_e1054 > _e1056));
+                                        let _e1102 = select(_e1057, _e1055, (_e1055 > _e1057));
+                                        let _e1104 = select(_e1100, _e1096, (_e1096 < _e1100));
+                                        let _e1106 = select(_e1102, _e1098, (_e1098 < _e1102));
+                                        let _e1111 = -(_e1072);
+                                        let _e1112 = -(_e1074);
+                                        let _e1119 = (select(_e1076, _e1104, (_e1104 < _e1076)) + (select(_e1111, _e1076, (_e1076 > _e1111)) * 0.0000019073523f));
+                                        let _e1120 = (select(_e1078, _e1106, (_e1106 < _e1078)) + (select(_e1112, _e1078, (_e1078 > _e1112)) * 0.0000019073523f));
+                                        let _e1122 = select(_e619, _e1092, (_e1092 > _e619));
+                                        let _e1124 = select(_e619, _e1094, (_e1094 > _e619));
+                                        let _e1129 = (_e1122 <= select(_e663.member, _e1119, (_e1119 < _e663.member)));
+                                        let _e1130 = (_e1124 <= select(_e663.member, _e1120, (_e1120 < _e663.member)));
+                                        let _e1131 = (_e1122 <= _e1124);
+                                        if _e1129 {
+                                            if _e1130 {
+                                                if _e1131 {
+                                                    phi_3926_ = _e1029.member_2;
                                                 } else {
-                                                    phi_3686_ = _e865.member_1;
+                                                    phi_3926_ = _e1029.member_1;
                                                 }
-                                                let _e971 = phi_3686_;
-                                                let _e993 = (_e548 % 128u);
-                                                let _e994 = (_e993 < 128u);
-                                                if _e994 {
+                                                let _e1135 = phi_3926_;
+                                                let _e1157 = (_e706 % 128u);
+                                                let _e1158 = (_e1157 < 128u);
+                                                if _e1158 {
                                                 } else {
-                                                    phi_4190_ = true;
+                                                    phi_4456_ = true;
                                                     break;
                                                 }
-                                                local_8[_e993] = _e971.member_1;
-                                                if _e994 {
+                                                local_8[_e1157] = _e1135.member_1;
+                                                if _e1158 {
                                                 } else {
-                                                    phi_4190_ = true;
+                                                    phi_4456_ = true;
                                                     break;
                                                 }
-                                                local_7[_e993] = _e971.member.member.x;
-                                                if _e994 {
+                                                local_7[_e1157] = _e1135.member.member.x;
+                                                if _e1158 {
                                                 } else {
-                                                    phi_4190_ = true;
+                                                    phi_4456_ = true;
                                                     break;
                                                 }
-                                                local_6[_e993] = _e971.member.member.y;
-                                                if _e994 {
+                                                local_6[_e1157] = _e1135.member.member.y;
+                                                if _e1158 {
                                                 } else {
-                                                    phi_4190_ = true;
+                                                    phi_4456_ = true;
                                                     break;
                                                 }
-                                                local_5[_e993] = _e971.member.member.z;
-                                                if _e994 {
+                                                local_5[_e1157] = _e1135.member.member.z;
+                                                if _e1158 {
                                                 } else {
-                                                    phi_4190_ = true;
+                                                    phi_4456_ = true;
                                                     break;
                                                 }
-                                                local_4[_e993] = _e971.member.member_1.x;
-                                                if _e994 {
+                                                local_4[_e1157] = _e1135.member.member_1.x;
+                                                if _e1158 {
                                                 } else {
-                                                    phi_4190_ = true;
+                                                    phi_4456_ = true;
                                                     break;
                                                 }
-                                                local_3[_e993] = _e971.member.member_1.y;
-                                                if _e994 {
+                                                local_3[_e1157] = _e1135.member.member_1.y;
+                                                if _e1158 {
                                                 } else {
-                                                    phi_4190_ = true;
+                                                    phi_4456_ = true;
                                                     break;
                                                 }
-                                                local_2[_e993] = _e971.member.member_1.z;
-                                                if _e994 {
+                                                local_2[_e1157] = _e1135.member.member_1.z;
+                                                if _e1158 {
                                                 } else {
-                                                    phi_4190_ = true;
+                                                    phi_4456_ = true;
                                                     break;
                                                 }
-                                                local_9[_e993] = select(_e960, _e958, (_e958 > _e960));
-                                                if _e967 {
-                                                    phi_3763_ = _e865.member_1;
+                                                local_9[_e1157] = select(_e1124, _e1122, (_e1122 > _e1124));
+                                                if _e1131 {
+                                                    phi_4003_ = _e1029.member_1;
                                                 } else {
-                                                    phi_3763_ = _e865.member_2;
+                                                    phi_4003_ = _e1029.member_2;
                                                 }
-                                                let _e1007 = phi_3763_;
-                                                phi_3764_ = _e1007;
-                                                phi_3765_ = (_e548 + 1u);
+                                                let _e1171 = phi_4003_;
+                                                phi_4004_ = _e1171;
+                                                phi_4005_ = (_e706 + 1u);
                                             } else {
-                                                phi_3764_ = type_45();
-                                                phi_3765_ = u32();
+                                                phi_4004_ = type_45();
+                                                phi_4005_ = u32();
                                             }
-                                            let _e1009 = phi_3764_;
-                                            let _e1011 = phi_3765_;
-                                            phi_3767_ = _e1009;
-                                            phi_3768_ = _e1011;
-                                            phi_3769_ = select(true, false, _e966);
+                                            let _e1173 = phi_4004_;
+                                            let _e1175 = phi_4005_;
+                                            phi_4007_ = _e1173;
+                                            phi_4008_ = _e1175;
+                                            phi_4009_ = select(true, false, _e1130);
                                         } else {
-                                            phi_3767_ = type_45();
-                                            phi_3768_ = u32();
-                                            phi_3769_ = true;
+                                            phi_4007_ = type_45();
+                                            phi_4008_ = u32();
+                                            phi_4009_ = true;
                                         }
-                                        let _e1014 = phi_3767_;
-                                        let _e1016 = phi_3768_;
-                                        let _e1018 = phi_3769_;
-                                        if _e1018 {
-                                            if _e965 {
-                                                phi_3778_ = _e865.member_1;
+                                        let _e1178 = phi_4007_;
+                                        let _e1180 = phi_4008_;
+                                        let _e1182 = phi_4009_;
+                                        if _e1182 {
+                                            if _e1129 {
+                                                phi_4018_ = _e1029.member_1;
                                             } else {
-                                                phi_3778_ = _e865.member_2;
+                                                phi_4018_ = _e1029.member_2;
                                             }
-                                            let _e1022 = phi_3778_;
-                                            phi_3783_ = _e1022;
-                                            phi_3784_ = select(_e966, true, _e965);
+                                            let _e1186 = phi_4018_;
+                                            phi_4023_ = _e1186;
+                                            phi_4024_ = select(_e1130, true, _e1129);
                                         } else {
-                                            phi_3783_ = _e1014;
-                                            phi_3784_ = _e546;
+                                            phi_4023_ = _e1178;
+                                            phi_4024_ = _e704;
                                         }
-                                        let _e1025 = phi_3783_;
-                                        let _e1027 = phi_3784_;
-                                        phi_4194_ = _e503;
-                                        phi_3786_ = _e505;
-                                        phi_3787_ = _e1025;
-                                        phi_3788_ = _e1027;
-                                        phi_3789_ = select(_e1016, _e548, _e1018);
+                                        let _e1189 = phi_4023_;
+                                        let _e1191 = phi_4024_;
+                                        phi_4460_ = _e661;
+                                        phi_4026_ = _e663;
+                                        phi_4027_ = _e1189;
+                                        phi_4028_ = _e1191;
+                                        phi_4029_ = select(_e1180, _e706, _e1182);
                                     }
-                                    let _e1944 = phi_4194_;
-                                    let _e1946 = phi_3786_;
-                                    let _e1948 = phi_3787_;
-                                    let _e1950 = phi_3788_;
-                                    let _e1952 = phi_3789_;
-                                    phi_4193_ = _e1944;
-                                    phi_3790_ = _e1946;
-                                    phi_3791_ = _e1948;
-                                    phi_3792_ = (_e509 - 1u);
-                                    phi_3793_ = _e1950;
-                                    phi_3794_ = _e1952;
+                                    let _e2126 = phi_4460_;
+                                    let _e2128 = phi_4026_;
+                                    let _e2130 = phi_4027_;
+                                    let _e2132 = phi_4028_;
+                                    let _e2134 = phi_4029_;
+                                    phi_4459_ = _e2126;
+                                    phi_4030_ = _e2128;
+                                    phi_4031_ = _e2130;
+                                    phi_4032_ = (_e667 - 1u);
+                                    phi_4033_ = _e2132;
+                                    phi_4034_ = _e2134;
                                 } else {
-                                    phi_4193_ = _e503;
-                                    phi_3790_ = _e505;
-                                    phi_3791_ = _e544;
-                                    phi_3792_ = _e509;
-                                    phi_3793_ = _e546;
-                                    phi_3794_ = _e548;
+                                    phi_4459_ = _e661;
+                                    phi_4030_ = _e663;
+                                    phi_4031_ = _e702;
+                                    phi_4032_ = _e667;
+                                    phi_4033_ = _e704;
+                                    phi_4034_ = _e706;
                                 }
-                                let _e1954 = phi_4193_;
-                                let _e1956 = phi_3790_;
-                                let _e1958 = phi_3791_;
-                                let _e1960 = phi_3792_;
-                                let _e1962 = phi_3793_;
-                                let _e1964 = phi_3794_;
-                                phi_4192_ = _e1954;
-                                phi_3795_ = _e1956;
-                                phi_3796_ = _e1958;
-                                phi_3797_ = _e1960;
-                                phi_3798_ = _e1962;
-                                phi_3799_ = _e1964;
+                                let _e2136 = phi_4459_;
+                                let _e2138 = phi_4030_;
+                                let _e2140 = phi_4031_;
+                                let _e2142 = phi_4032_;
+                                let _e2144 = phi_4033_;
+                                let _e2146 = phi_4034_;
+                                phi_4458_ = _e2136;
+                                phi_4035_ = _e2138;
+                                phi_4036_ = _e2140;
+                                phi_4037_ = _e2142;
+                                phi_4038_ = _e2144;
+                                phi_4039_ = _e2146;
                             } else {
-                                phi_4192_ = _e503;
-                                phi_3795_ = type_34();
-                                phi_3796_ = type_45();
-                                phi_3797_ = u32();
-                                phi_3798_ = bool();
-                                phi_3799_ = u32();
+                                phi_4458_ = _e661;
+                                phi_4035_ = type_34();
+                                phi_4036_ = type_45();
+                                phi_4037_ = u32();
+                                phi_4038_ = bool();
+                                phi_4039_ = u32();
                             }
-                            let _e1966 = phi_4192_;
-                            let _e1968 = phi_3795_;
-                            let _e1970 = phi_3796_;
-                            let _e1972 = phi_3797_;
-                            let _e1974 = phi_3798_;
-                            let _e1976 = phi_3799_;
-                            phi_4191_ = _e1966;
-                            phi_848_ = _e1968;
-                            phi_851_ = _e1970;
-                            phi_853_ = _e1972;
-                            phi_855_ = _e1974;
-                            phi_857_ = _e1976;
-                            phi_3800_ = _e517;
+                            let _e2148 = phi_4458_;
+                            let _e2150 = phi_4035_;
+                            let _e2152 = phi_4036_;
+                            let _e2154 = phi_4037_;
+                            let _e2156 = phi_4038_;
+                            let _e2158 = phi_4039_;
+                            phi_4457_ = _e2148;
+                            phi_1070_ = _e2150;
+                            phi_1073_ = _e2152;
+                            phi_1075_ = _e2154;
+                            phi_1077_ = _e2156;
+                            phi_1079_ = _e2158;
+                            phi_4040_ = _e675;
                         } else {
-                            phi_4191_ = _e503;
-                            phi_848_ = type_34();
-                            phi_851_ = type_45();
-                            phi_853_ = u32();
-                            phi_855_ = bool();
-                            phi_857_ = u32();
-                            phi_3800_ = false;
+                            phi_4457_ = _e661;
+                            phi_1070_ = type_34();
+                            phi_1073_ = type_45();
+                            phi_1075_ = u32();
+                            phi_1077_ = bool();
+                            phi_1079_ = u32();
+                            phi_4040_ = false;
                         }
-                        let _e1978 = phi_4191_;
-                        let _e1980 = phi_848_;
-                        let _e1982 = phi_851_;
-                        let _e1984 = phi_853_;
-                        let _e1986 = phi_855_;
-                        let _e1988 = phi_857_;
-                        let _e1990 = phi_3800_;
+                        let _e2160 = phi_4457_;
+                        let _e2162 = phi_1070_;
+                        let _e2164 = phi_1073_;
+                        let _e2166 = phi_1075_;
+                        let _e2168 = phi_1077_;
+                        let _e2170 = phi_1079_;
+                        let _e2172 = phi_4040_;
                         continue;
                         continuing {
-                            phi_4010_ = _e1978;
-                            phi_847_ = _e1980;
-                            phi_850_ = _e1982;
-                            phi_852_ = _e1984;
-                            phi_854_ = _e1986;
-                            phi_856_ = _e1988;
-                            phi_4190_ = _e1978;
-                            break if !(_e1990);
+                            phi_4258_ = _e2160;
+                            phi_1069_ = _e2162;
+                            phi_1072_ = _e2164;
+                            phi_1074_ = _e2166;
+                            phi_1076_ = _e2168;
+                            phi_1078_ = _e2170;
+                            phi_4456_ = _e2160;
+                            break if !(_e2172);
                         }
                     }
-                    let _e1993 = phi_4190_;
-                    if _e1993 {
+                    let _e2175 = phi_4456_;
+                    if _e2175 {
                         break;
                     }
-                    let _e1995 = local_11;
-                    if _e149 {
+                    let _e2177 = local_11;
+                    if _e152 {
                     } else {
                         break;
                     }
-                    global_4.member[_e147] = select(0u, 1u, _e1995.member_1);
+                    global_4.member[_e150] = select(0u, 1u, _e2177.member_1);
                 }
             }
             break;

@@ -76,1129 +76,1305 @@ var<storage, read_write> global_5: type_25;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_273_: i32;
-    var phi_274_: i32;
-    var phi_284_: bool;
-    var phi_294_: u32;
-    var phi_295_: u32;
-    var phi_297_: bool;
-    var phi_302_: u32;
-    var phi_314_: i32;
-    var phi_334_: i32;
-    var phi_352_: f32;
-    var phi_358_: f32;
-    var phi_369_: f32;
-    var phi_375_: f32;
-    var phi_398_: f32;
-    var phi_409_: f32;
-    var phi_418_: f32;
-    var phi_424_: f32;
-    var phi_435_: f32;
-    var phi_441_: f32;
-    var phi_464_: f32;
-    var phi_475_: f32;
-    var phi_484_: f32;
-    var phi_490_: f32;
-    var phi_501_: f32;
-    var phi_507_: f32;
-    var phi_530_: f32;
-    var phi_541_: f32;
-    var phi_641_: f32;
-    var phi_642_: f32;
-    var phi_2280_: bool;
-    var phi_653_: type_39;
-    var phi_656_: u32;
-    var phi_658_: u32;
-    var phi_660_: bool;
-    var phi_662_: u32;
-    var phi_673_: bool;
-    var phi_705_: u32;
-    var phi_706_: bool;
-    var phi_707_: u32;
-    var phi_1792_: type_44;
-    var phi_2136_: u32;
-    var phi_2164_: u32;
-    var phi_2165_: u32;
-    var phi_2166_: u32;
-    var phi_2168_: u32;
-    var phi_2169_: u32;
-    var phi_2170_: bool;
-    var phi_2179_: u32;
-    var phi_2184_: u32;
-    var phi_2185_: bool;
-    var phi_722_: type_39;
-    var phi_725_: type_4;
-    var phi_726_: type_4;
-    var phi_748_: type_4;
-    var phi_769_: u32;
-    var phi_858_: array<array<f32, 3>, 3>;
-    var phi_975_: bool;
-    var phi_1004_: bool;
-    var phi_1405_: f32;
-    var phi_1406_: f32;
-    var phi_1407_: f32;
-    var phi_1408_: f32;
-    var phi_1409_: vec3<f32>;
-    var phi_1410_: vec3<f32>;
-    var phi_1411_: vec3<f32>;
-    var phi_1412_: vec3<f32>;
-    var phi_1443_: bool;
-    var phi_1452_: vec3<f32>;
-    var phi_1617_: f32;
-    var phi_1619_: f32;
-    var phi_1620_: bool;
-    var phi_1640_: f32;
-    var phi_1641_: f32;
-    var phi_1664_: type_23;
-    var phi_1666_: type_23;
-    var phi_1667_: bool;
-    var phi_1671_: type_23;
-    var phi_1672_: type_23;
-    var phi_1673_: type_23;
-    var phi_1674_: bool;
-    var phi_1678_: type_23;
-    var phi_1679_: bool;
-    var phi_1680_: type_23;
-    var phi_1681_: bool;
-    var phi_1682_: bool;
-    var phi_1683_: type_23;
-    var phi_1684_: bool;
-    var phi_1685_: bool;
-    var phi_1693_: type_23;
-    var phi_1694_: bool;
-    var phi_1698_: type_23;
-    var phi_1723_: bool;
-    var phi_1724_: bool;
-    var phi_1730_: type_39;
-    var phi_1731_: type_39;
-    var phi_1732_: type_39;
-    var phi_723_: type_39;
-    var phi_2274_: bool;
-    var phi_2420_: bool;
-    var phi_2187_: type_39;
-    var phi_2188_: u32;
-    var phi_2189_: bool;
-    var phi_2190_: u32;
-    var phi_2419_: bool;
-    var phi_2191_: type_39;
-    var phi_2192_: u32;
-    var phi_2193_: u32;
-    var phi_2194_: bool;
-    var phi_2195_: u32;
-    var phi_2418_: bool;
-    var phi_2196_: type_39;
-    var phi_2197_: u32;
-    var phi_2198_: u32;
-    var phi_2199_: bool;
-    var phi_2200_: u32;
-    var phi_2417_: bool;
-    var phi_654_: type_39;
-    var phi_657_: u32;
-    var phi_659_: u32;
-    var phi_661_: bool;
-    var phi_663_: u32;
-    var phi_2201_: bool;
-    var phi_2416_: bool;
+    var phi_357_: i32;
+    var phi_358_: i32;
+    var phi_368_: bool;
+    var phi_378_: u32;
+    var phi_379_: u32;
+    var phi_381_: bool;
+    var phi_386_: u32;
+    var phi_398_: i32;
+    var phi_418_: i32;
+    var phi_436_: f32;
+    var phi_442_: f32;
+    var phi_482_: f32;
+    var phi_488_: f32;
+    var phi_540_: f32;
+    var phi_551_: f32;
+    var phi_560_: f32;
+    var phi_566_: f32;
+    var phi_606_: f32;
+    var phi_612_: f32;
+    var phi_664_: f32;
+    var phi_675_: f32;
+    var phi_684_: f32;
+    var phi_690_: f32;
+    var phi_730_: f32;
+    var phi_736_: f32;
+    var phi_788_: f32;
+    var phi_799_: f32;
+    var phi_854_: i32;
+    var phi_876_: u32;
+    var phi_877_: u32;
+    var phi_914_: i32;
+    var phi_936_: u32;
+    var phi_937_: u32;
+    var phi_945_: f32;
+    var phi_946_: f32;
+    var phi_2682_: bool;
+    var phi_957_: type_39;
+    var phi_960_: u32;
+    var phi_962_: u32;
+    var phi_964_: bool;
+    var phi_966_: u32;
+    var phi_977_: bool;
+    var phi_1009_: u32;
+    var phi_1010_: bool;
+    var phi_1011_: u32;
+    var phi_2096_: type_44;
+    var phi_2440_: u32;
+    var phi_2468_: u32;
+    var phi_2469_: u32;
+    var phi_2470_: u32;
+    var phi_2472_: u32;
+    var phi_2473_: u32;
+    var phi_2474_: bool;
+    var phi_2483_: u32;
+    var phi_2488_: u32;
+    var phi_2489_: bool;
+    var phi_1026_: type_39;
+    var phi_1029_: type_4;
+    var phi_1030_: type_4;
+    var phi_1052_: type_4;
+    var phi_1073_: u32;
+    var phi_1162_: array<array<f32, 3>, 3>;
+    var phi_1279_: bool;
+    var phi_1308_: bool;
+    var phi_1709_: f32;
+    var phi_1710_: f32;
+    var phi_1711_: f32;
+    var phi_1712_: f32;
+    var phi_1713_: vec3<f32>;
+    var phi_1714_: vec3<f32>;
+    var phi_1715_: vec3<f32>;
+    var phi_1716_: vec3<f32>;
+    var phi_1747_: bool;
+    var phi_1756_: vec3<f32>;
+    var phi_1921_: f32;
+    var phi_1923_: f32;
+    var phi_1924_: bool;
+    var phi_1944_: f32;
+    var phi_1945_: f32;
+    var phi_1968_: type_23;
+    var phi_1970_: type_23;
+    var phi_1971_: bool;
+    var phi_1975_: type_23;
+    var phi_1976_: type_23;
+    var phi_1977_: type_23;
+    var phi_1978_: bool;
+    var phi_1982_: type_23;
+    var phi_1983_: bool;
+    var phi_1984_: type_23;
+    var phi_1985_: bool;
+    var phi_1986_: bool;
+    var phi_1987_: type_23;
+    var phi_1988_: bool;
+    var phi_1989_: bool;
+    var phi_1997_: type_23;
+    var phi_1998_: bool;
+    var phi_2002_: type_23;
+    var phi_2027_: bool;
+    var phi_2028_: bool;
+    var phi_2034_: type_39;
+    var phi_2035_: type_39;
+    var phi_2036_: type_39;
+    var phi_1027_: type_39;
+    var phi_2676_: bool;
+    var phi_2840_: bool;
+    var phi_2491_: type_39;
+    var phi_2492_: u32;
+    var phi_2493_: bool;
+    var phi_2494_: u32;
+    var phi_2839_: bool;
+    var phi_2495_: type_39;
+    var phi_2496_: u32;
+    var phi_2497_: u32;
+    var phi_2498_: bool;
+    var phi_2499_: u32;
+    var phi_2838_: bool;
+    var phi_2500_: type_39;
+    var phi_2501_: u32;
+    var phi_2502_: u32;
+    var phi_2503_: bool;
+    var phi_2504_: u32;
+    var phi_2837_: bool;
+    var phi_958_: type_39;
+    var phi_961_: u32;
+    var phi_963_: u32;
+    var phi_965_: bool;
+    var phi_967_: u32;
+    var phi_2505_: bool;
+    var phi_2836_: bool;
     var local_2: type_39;
-    var phi_2253_: type_23;
+    var phi_2543_: f32;
+    var phi_2545_: f32;
+    var phi_2546_: bool;
+    var phi_2547_: f32;
+    var phi_2548_: bool;
+    var phi_2621_: u32;
+    var phi_2639_: bool;
+    var phi_2642_: bool;
+    var phi_2655_: f32;
+    var phi_2656_: f32;
+    var phi_2661_: f32;
+    var phi_2662_: f32;
+    var phi_2663_: bool;
+    var phi_2671_: f32;
+    var phi_2563_: f32;
+    var phi_2564_: f32;
+    var phi_2576_: f32;
+    var phi_2581_: type_23;
     var local_3: type_39;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e65 = global;
-            let _e67 = arrayLength((&global_2.member));
-            let _e69 = arrayLength((&global_3.member));
-            let _e77 = (_e65.x + (_e65.y * 2097152u));
-            let _e80 = global_1.member[0u];
-            let _e81 = bitcast<i32>(_e80);
-            let _e82 = (_e77 < arrayLength((&global_4.member)));
-            if _e82 {
-                let _e83 = (_e77 < arrayLength((&global_5.member)));
-                if _e83 {
-                    if _e82 {
+            let _e73 = global;
+            let _e75 = arrayLength((&global_2.member));
+            let _e77 = arrayLength((&global_3.member));
+            let _e85 = (_e73.x + (_e73.y * 2097152u));
+            let _e88 = global_1.member[0u];
+            let _e89 = bitcast<i32>(_e88);
+            let _e90 = (_e85 < arrayLength((&global_4.member)));
+            if _e90 {
+                let _e91 = (_e85 < arrayLength((&global_5.member)));
+                if _e91 {
+                    if _e90 {
                     } else {
                         break;
                     }
-                    let _e91 = global_4.member[_e77].member_2[0u];
-                    let _e93 = (bitcast<u32>(_e91) & 2147483647u);
-                    let _e98 = global_4.member[_e77].member_2[1u];
-                    let _e100 = (bitcast<u32>(_e98) & 2147483647u);
-                    let _e105 = global_4.member[_e77].member_2[2u];
-                    let _e107 = (bitcast<u32>(_e105) & 2147483647u);
-                    let _e112 = global_4.member[_e77].member[0u];
-                    let _e114 = (bitcast<u32>(_e112) & 2147483647u);
-                    let _e119 = global_4.member[_e77].member[1u];
-                    let _e121 = (bitcast<u32>(_e119) & 2147483647u);
-                    let _e126 = global_4.member[_e77].member[2u];
-                    let _e128 = (bitcast<u32>(_e126) & 2147483647u);
-                    let _e130 = select(_e100, _e93, (_e100 < _e93));
-                    let _e132 = select(_e107, _e130, (_e107 < _e130));
-                    let _e134 = select(_e114, _e132, (_e114 < _e132));
-                    let _e136 = select(_e121, _e134, (_e121 < _e134));
-                    let _e138 = select(_e128, _e136, (_e128 < _e136));
-                    let _e142 = global_4.member[_e77].member_1;
-                    let _e144 = (bitcast<u32>(_e142) & 2147483647u);
-                    let _e151 = global_4.member[_e77].member_3;
-                    let _e157 = (((select(_e144, _e138, (_e144 < _e138)) < 2139095040u) && ((bitcast<u32>(_e151) & 2147483647u) <= 2139095040u)) && (_e132 > 0u));
-                    if _e157 {
-                        let _e160 = (bitcast<u32>(bitcast<f32>(_e132)) & 2147483647u);
-                        if (_e160 >= 8388608u) {
-                            phi_273_ = (bitcast<i32>((_e160 >> bitcast<u32>(23i))) - 127i);
+                    let _e99 = global_4.member[_e85].member_2[0u];
+                    let _e101 = (bitcast<u32>(_e99) & 2147483647u);
+                    let _e106 = global_4.member[_e85].member_2[1u];
+                    let _e108 = (bitcast<u32>(_e106) & 2147483647u);
+                    let _e113 = global_4.member[_e85].member_2[2u];
+                    let _e115 = (bitcast<u32>(_e113) & 2147483647u);
+                    let _e120 = global_4.member[_e85].member[0u];
+                    let _e122 = (bitcast<u32>(_e120) & 2147483647u);
+                    let _e127 = global_4.member[_e85].member[1u];
+                    let _e129 = (bitcast<u32>(_e127) & 2147483647u);
+                    let _e134 = global_4.member[_e85].member[2u];
+                    let _e136 = (bitcast<u32>(_e134) & 2147483647u);
+                    let _e138 = select(_e108, _e101, (_e108 < _e101));
+                    let _e140 = select(_e115, _e138, (_e115 < _e138));
+                    let _e142 = select(_e122, _e140, (_e122 < _e140));
+                    let _e144 = select(_e129, _e142, (_e129 < _e142));
+                    let _e146 = select(_e136, _e144, (_e136 < _e144));
+                    let _e150 = global_4.member[_e85].member_1;
+                    let _e151 = bitcast<u32>(_e150);
+                    let _e152 = (_e151 & 2147483647u);
+                    let _e159 = global_4.member[_e85].member_3;
+                    let _e160 = bitcast<u32>(_e159);
+                    let _e161 = (_e160 & 2147483647u);
+                    let _e165 = (((select(_e152, _e146, (_e152 < _e146)) < 2139095040u) && (_e161 <= 2139095040u)) && (_e140 > 0u));
+                    if _e165 {
+                        let _e168 = (bitcast<u32>(bitcast<f32>(_e140)) & 2147483647u);
+                        if (_e168 >= 8388608u) {
+                            phi_357_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_273_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e160)), 32u, (_e160 == 0u))));
+                            phi_357_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
                         }
-                        let _e174 = phi_273_;
-                        phi_274_ = _e174;
+                        let _e182 = phi_357_;
+                        phi_358_ = _e182;
                     } else {
-                        phi_274_ = 0i;
+                        phi_358_ = 0i;
                     }
-                    let _e176 = phi_274_;
-                    let _e177 = (_e93 == _e132);
-                    if _e177 {
-                        phi_284_ = true;
+                    let _e184 = phi_358_;
+                    let _e185 = (_e101 == _e140);
+                    if _e185 {
+                        phi_368_ = true;
                     } else {
-                        phi_284_ = (_e100 == _e132);
+                        phi_368_ = (_e108 == _e140);
                     }
-                    let _e180 = phi_284_;
-                    let _e181 = select(1u, 0u, _e177);
-                    if _e180 {
-                        let _e182 = (_e181 + 1u);
-                        phi_294_ = _e182;
-                        phi_295_ = _e182;
-                        phi_297_ = select(true, false, (_e182 == 2u));
+                    let _e188 = phi_368_;
+                    let _e189 = select(1u, 0u, _e185);
+                    if _e188 {
+                        let _e190 = (_e189 + 1u);
+                        phi_378_ = _e190;
+                        phi_379_ = _e190;
+                        phi_381_ = select(true, false, (_e190 == 2u));
                     } else {
-                        phi_294_ = u32();
-                        phi_295_ = 0u;
-                        phi_297_ = true;
+                        phi_378_ = u32();
+                        phi_379_ = 0u;
+                        phi_381_ = true;
                     }
-                    let _e186 = phi_294_;
-                    let _e188 = phi_295_;
-                    let _e190 = phi_297_;
-                    if _e190 {
-                        phi_302_ = (_e188 + 1u);
+                    let _e194 = phi_378_;
+                    let _e196 = phi_379_;
+                    let _e198 = phi_381_;
+                    if _e198 {
+                        phi_386_ = (_e196 + 1u);
                     } else {
-                        phi_302_ = 0u;
+                        phi_386_ = 0u;
                     }
-                    let _e194 = phi_302_;
-                    let _e195 = select(_e186, _e188, _e190);
-                    let _e196 = select(_e181, select(2u, _e181, _e180), _e190);
-                    if (_e81 < -126i) {
-                        phi_314_ = -126i;
+                    let _e202 = phi_386_;
+                    let _e203 = select(_e194, _e196, _e198);
+                    let _e204 = select(_e189, select(2u, _e189, _e188), _e198);
+                    if (_e89 < -126i) {
+                        phi_398_ = -126i;
                     } else {
-                        phi_314_ = select(_e81, 127i, (_e81 > 127i));
+                        phi_398_ = select(_e89, 127i, (_e89 > 127i));
                     }
-                    let _e201 = phi_314_;
-                    let _e206 = bitcast<f32>((bitcast<u32>((_e201 + 127i)) << bitcast<u32>(23i)));
-                    let _e212 = bitcast<f32>((bitcast<u32>(((_e81 - _e201) + 127i)) << bitcast<u32>(23i)));
-                    let _e213 = -(_e176);
-                    if (_e213 < -126i) {
-                        phi_334_ = -126i;
+                    let _e209 = phi_398_;
+                    let _e214 = bitcast<f32>((bitcast<u32>((_e209 + 127i)) << bitcast<u32>(23i)));
+                    let _e220 = bitcast<f32>((bitcast<u32>(((_e89 - _e209) + 127i)) << bitcast<u32>(23i)));
+                    let _e221 = -(_e184);
+                    if (_e221 < -126i) {
+                        phi_418_ = -126i;
                     } else {
-                        phi_334_ = select(_e213, 127i, (_e213 > 127i));
+                        phi_418_ = select(_e221, 127i, (_e221 > 127i));
                     }
-                    let _e218 = phi_334_;
-                    let _e223 = bitcast<f32>((bitcast<u32>((_e218 + 127i)) << bitcast<u32>(23i)));
-                    let _e229 = bitcast<f32>((bitcast<u32>(((_e213 - _e218) + 127i)) << bitcast<u32>(23i)));
-                    let _e233 = global_4.member[_e77].member;
-                    let _e234 = (_e195 == 0u);
-                    if _e234 {
-                        phi_352_ = _e233[0];
+                    let _e226 = phi_418_;
+                    let _e231 = bitcast<f32>((bitcast<u32>((_e226 + 127i)) << bitcast<u32>(23i)));
+                    let _e237 = bitcast<f32>((bitcast<u32>(((_e221 - _e226) + 127i)) << bitcast<u32>(23i)));
+                    let _e241 = global_4.member[_e85].member;
+                    let _e242 = (_e203 == 0u);
+                    if _e242 {
+                        phi_436_ = _e241[0];
                     } else {
-                        phi_352_ = _e233[1];
+                        phi_436_ = _e241[1];
                     }
-                    let _e238 = phi_352_;
-                    let _e239 = (_e195 == 2u);
-                    if _e239 {
-                        phi_358_ = _e233[2];
+                    let _e246 = phi_436_;
+                    let _e247 = (_e203 == 2u);
+                    if _e247 {
+                        phi_442_ = _e241[2];
                     } else {
-                        phi_358_ = _e238;
+                        phi_442_ = _e246;
                     }
-                    let _e242 = phi_358_;
-                    let _e244 = ((_e242 * _e206) * _e212);
-                    let _e245 = global_4.member[_e77].member_2;
-                    if _e234 {
-                        phi_369_ = _e245[0];
+                    let _e250 = phi_442_;
+                    let _e251 = bitcast<u32>(_e250);
+                    let _e253 = ((_e251 & 2139095040u) != 0u);
+                    let _e267 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e251 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e251 & 2147483648u))), _e250, _e253) * _e214) * select(0.00000011920929f, 1f, _e253)) * _e220);
+                    let _e268 = global_4.member[_e85].member_2;
+                    if _e242 {
+                        phi_482_ = _e268[0];
                     } else {
-                        phi_369_ = _e245[1];
+                        phi_482_ = _e268[1];
                     }
-                    let _e249 = phi_369_;
-                    if _e239 {
-                        phi_375_ = _e245[2];
+                    let _e272 = phi_482_;
+                    if _e247 {
+                        phi_488_ = _e268[2];
                     } else {
-                        phi_375_ = _e249;
+                        phi_488_ = _e272;
                     }
-                    let _e252 = phi_375_;
-                    let _e254 = ((_e252 * _e223) * _e229);
-                    let _e258 = (bitcast<f32>((bitcast<u32>(_e254) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e258 {
-                        let _e262 = (bitcast<f32>((bitcast<u32>(_e244) & 2147483647u)) * 0.00000011920929f);
-                        phi_398_ = select(0.00000000000011368684f, _e262, (_e262 > 0.00000000000011368684f));
-                    } else {
-                        phi_398_ = 0f;
-                    }
-                    let _e266 = phi_398_;
-                    let _e267 = (_e244 + _e266);
-                    let _e268 = (_e244 - _e266);
-                    let _e269 = select(_e254, 0f, _e258);
-                    if _e258 {
-                        phi_409_ = 38685626000000000000000000f;
-                    } else {
-                        phi_409_ = (1f / _e254);
-                    }
-                    let _e272 = phi_409_;
-                    let _e273 = (_e194 == 0u);
-                    if _e273 {
-                        phi_418_ = _e233[0];
-                    } else {
-                        phi_418_ = _e233[1];
-                    }
-                    let _e277 = phi_418_;
-                    let _e278 = (_e194 == 2u);
-                    if _e278 {
-                        phi_424_ = _e233[2];
-                    } else {
-                        phi_424_ = _e277;
-                    }
-                    let _e281 = phi_424_;
-                    let _e283 = ((_e281 * _e206) * _e212);
-                    if _e273 {
-                        phi_435_ = _e245[0];
-                    } else {
-                        phi_435_ = _e245[1];
-                    }
-                    let _e287 = phi_435_;
-                    if _e278 {
-                        phi_441_ = _e245[2];
-                    } else {
-                        phi_441_ = _e287;
-                    }
-                    let _e290 = phi_441_;
-                    let _e292 = ((_e290 * _e223) * _e229);
+                    let _e275 = phi_488_;
+                    let _e276 = bitcast<u32>(_e275);
+                    let _e278 = ((_e276 & 2139095040u) != 0u);
+                    let _e292 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e276 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e276 & 2147483648u))), _e275, _e278) * _e231) * select(0.00000011920929f, 1f, _e278)) * _e237);
                     let _e296 = (bitcast<f32>((bitcast<u32>(_e292) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e296 {
-                        let _e300 = (bitcast<f32>((bitcast<u32>(_e283) & 2147483647u)) * 0.00000011920929f);
-                        phi_464_ = select(0.00000000000011368684f, _e300, (_e300 > 0.00000000000011368684f));
+                        let _e300 = (bitcast<f32>((bitcast<u32>(_e267) & 2147483647u)) * 0.00000011920929f);
+                        phi_540_ = select(0.00000000000011368684f, _e300, (_e300 > 0.00000000000011368684f));
                     } else {
-                        phi_464_ = 0f;
+                        phi_540_ = 0f;
                     }
-                    let _e304 = phi_464_;
-                    let _e305 = (_e283 + _e304);
-                    let _e306 = (_e283 - _e304);
+                    let _e304 = phi_540_;
+                    let _e305 = (_e267 + _e304);
+                    let _e306 = (_e267 - _e304);
                     let _e307 = select(_e292, 0f, _e296);
                     if _e296 {
-                        phi_475_ = 38685626000000000000000000f;
+                        phi_551_ = 38685626000000000000000000f;
                     } else {
-                        phi_475_ = (1f / _e292);
+                        phi_551_ = (1f / _e292);
                     }
-                    let _e310 = phi_475_;
-                    let _e311 = (_e196 == 0u);
+                    let _e310 = phi_551_;
+                    let _e311 = (_e202 == 0u);
                     if _e311 {
-                        phi_484_ = _e233[0];
+                        phi_560_ = _e241[0];
                     } else {
-                        phi_484_ = _e233[1];
+                        phi_560_ = _e241[1];
                     }
-                    let _e315 = phi_484_;
-                    let _e316 = (_e196 == 2u);
+                    let _e315 = phi_560_;
+                    let _e316 = (_e202 == 2u);
                     if _e316 {
-                        phi_490_ = _e233[2];
+                        phi_566_ = _e241[2];
                     } else {
-                        phi_490_ = _e315;
+                        phi_566_ = _e315;
                     }
-                    let _e319 = phi_490_;
-                    let _e321 = ((_e319 * _e206) * _e212);
+                    let _e319 = phi_566_;
+                    let _e320 = bitcast<u32>(_e319);
+                    let _e322 = ((_e320 & 2139095040u) != 0u);
+                    let _e336 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e320 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e320 & 2147483648u))), _e319, _e322) * _e214) * select(0.00000011920929f, 1f, _e322)) * _e220);
                     if _e311 {
-                        phi_501_ = _e245[0];
+                        phi_606_ = _e268[0];
                     } else {
-                        phi_501_ = _e245[1];
+                        phi_606_ = _e268[1];
                     }
-                    let _e325 = phi_501_;
+                    let _e340 = phi_606_;
                     if _e316 {
-                        phi_507_ = _e245[2];
+                        phi_612_ = _e268[2];
                     } else {
-                        phi_507_ = _e325;
+                        phi_612_ = _e340;
                     }
-                    let _e328 = phi_507_;
-                    let _e330 = ((_e328 * _e223) * _e229);
-                    let _e334 = (bitcast<f32>((bitcast<u32>(_e330) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e334 {
-                        let _e338 = (bitcast<f32>((bitcast<u32>(_e321) & 2147483647u)) * 0.00000011920929f);
-                        phi_530_ = select(0.00000000000011368684f, _e338, (_e338 > 0.00000000000011368684f));
+                    let _e343 = phi_612_;
+                    let _e344 = bitcast<u32>(_e343);
+                    let _e346 = ((_e344 & 2139095040u) != 0u);
+                    let _e360 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e344 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e344 & 2147483648u))), _e343, _e346) * _e231) * select(0.00000011920929f, 1f, _e346)) * _e237);
+                    let _e364 = (bitcast<f32>((bitcast<u32>(_e360) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e364 {
+                        let _e368 = (bitcast<f32>((bitcast<u32>(_e336) & 2147483647u)) * 0.00000011920929f);
+                        phi_664_ = select(0.00000000000011368684f, _e368, (_e368 > 0.00000000000011368684f));
                     } else {
-                        phi_530_ = 0f;
+                        phi_664_ = 0f;
                     }
-                    let _e342 = phi_530_;
-                    let _e343 = (_e321 + _e342);
-                    let _e344 = (_e321 - _e342);
-                    let _e345 = select(_e330, 0f, _e334);
-                    if _e334 {
-                        phi_541_ = 38685626000000000000000000f;
+                    let _e372 = phi_664_;
+                    let _e373 = (_e336 + _e372);
+                    let _e374 = (_e336 - _e372);
+                    let _e375 = select(_e360, 0f, _e364);
+                    if _e364 {
+                        phi_675_ = 38685626000000000000000000f;
                     } else {
-                        phi_541_ = (1f / _e330);
+                        phi_675_ = (1f / _e360);
                     }
-                    let _e348 = phi_541_;
-                    let _e351 = bitcast<f32>((bitcast<u32>(_e244) & 2147483647u));
-                    let _e354 = bitcast<f32>((bitcast<u32>(_e283) & 2147483647u));
-                    let _e356 = select(_e354, _e351, (_e351 > _e354));
-                    let _e359 = bitcast<f32>((bitcast<u32>(_e321) & 2147483647u));
-                    let _e362 = (_e81 + _e176);
-                    if (_e157 && (select(_e359, _e356, (_e356 > _e359)) <= 1099511600000f)) {
-                        let _e365 = (_e362 / 3i);
-                        let _e372 = bitcast<f32>((bitcast<u32>((_e365 + 127i)) << bitcast<u32>(23i)));
-                        let _e379 = bitcast<f32>((bitcast<u32>(((_e362 - (2i * _e365)) + 127i)) << bitcast<u32>(23i)));
-                        let _e380 = (((_e142 * _e372) * _e372) * _e379);
-                        let _e382 = select(340282350000000000000000000000000000000f, _e380, (_e380 < 340282350000000000000000000000000000000f));
-                        let _e387 = (((_e151 * _e372) * _e372) * _e379);
-                        let _e389 = select(340282350000000000000000000000000000000f, _e387, (_e387 < 340282350000000000000000000000000000000f));
-                        phi_641_ = select(-340282350000000000000000000000000000000f, _e389, (_e389 > -340282350000000000000000000000000000000f));
-                        phi_642_ = select(-340282350000000000000000000000000000000f, _e382, (_e382 > -340282350000000000000000000000000000000f));
+                    let _e378 = phi_675_;
+                    let _e379 = (_e204 == 0u);
+                    if _e379 {
+                        phi_684_ = _e241[0];
                     } else {
-                        phi_641_ = 0f;
-                        phi_642_ = 1f;
+                        phi_684_ = _e241[1];
                     }
-                    let _e393 = phi_641_;
-                    let _e395 = phi_642_;
+                    let _e383 = phi_684_;
+                    let _e384 = (_e204 == 2u);
+                    if _e384 {
+                        phi_690_ = _e241[2];
+                    } else {
+                        phi_690_ = _e383;
+                    }
+                    let _e387 = phi_690_;
+                    let _e388 = bitcast<u32>(_e387);
+                    let _e390 = ((_e388 & 2139095040u) != 0u);
+                    let _e404 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e388 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e388 & 2147483648u))), _e387, _e390) * _e214) * select(0.00000011920929f, 1f, _e390)) * _e220);
+                    if _e379 {
+                        phi_730_ = _e268[0];
+                    } else {
+                        phi_730_ = _e268[1];
+                    }
+                    let _e408 = phi_730_;
+                    if _e384 {
+                        phi_736_ = _e268[2];
+                    } else {
+                        phi_736_ = _e408;
+                    }
+                    let _e411 = phi_736_;
+                    let _e412 = bitcast<u32>(_e411);
+                    let _e414 = ((_e412 & 2139095040u) != 0u);
+                    let _e428 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e412 & 2147483648u))), _e411, _e414) * _e231) * select(0.00000011920929f, 1f, _e414)) * _e237);
+                    let _e432 = (bitcast<f32>((bitcast<u32>(_e428) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e432 {
+                        let _e436 = (bitcast<f32>((bitcast<u32>(_e404) & 2147483647u)) * 0.00000011920929f);
+                        phi_788_ = select(0.00000000000011368684f, _e436, (_e436 > 0.00000000000011368684f));
+                    } else {
+                        phi_788_ = 0f;
+                    }
+                    let _e440 = phi_788_;
+                    let _e441 = (_e404 + _e440);
+                    let _e442 = (_e404 - _e440);
+                    let _e443 = select(_e428, 0f, _e432);
+                    if _e432 {
+                        phi_799_ = 38685626000000000000000000f;
+                    } else {
+                        phi_799_ = (1f / _e428);
+                    }
+                    let _e446 = phi_799_;
+                    let _e449 = bitcast<f32>((bitcast<u32>(_e267) & 2147483647u));
+                    let _e452 = bitcast<f32>((bitcast<u32>(_e336) & 2147483647u));
+                    let _e454 = select(_e452, _e449, (_e449 > _e452));
+                    let _e457 = bitcast<f32>((bitcast<u32>(_e404) & 2147483647u));
+                    let _e460 = (_e89 + _e184);
+                    if (_e165 && (select(_e457, _e454, (_e454 > _e457)) <= 1099511600000f)) {
+                        let _e470 = ((_e152 & 8388607u) | (select(0u, 1u, ((_e152 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e473 = bitcast<i32>((_e152 >> bitcast<u32>(23i)));
+                        let _e477 = (_e470 == 0u);
+                        let _e480 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e470)), 32u, _e477)) - 8i);
+                        if (_e473 == 255i) {
+                            phi_854_ = 255i;
+                        } else {
+                            phi_854_ = (((_e473 + select(0i, 1i, (_e473 == 0i))) - _e480) + _e460);
+                        }
+                        let _e488 = phi_854_;
+                        let _e498 = (_e488 <= 0i);
+                        if _e498 {
+                            phi_877_ = u32();
+                        } else {
+                            if _e477 {
+                                phi_876_ = u32();
+                            } else {
+                                phi_876_ = select(((bitcast<u32>(_e488) << bitcast<u32>(23i)) | ((_e470 << bitcast<u32>(((_e480 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e488 >= 255i));
+                            }
+                            let _e502 = phi_876_;
+                            phi_877_ = _e502;
+                        }
+                        let _e504 = phi_877_;
+                        let _e516 = ((_e161 & 8388607u) | (select(0u, 1u, ((_e161 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e519 = bitcast<i32>((_e161 >> bitcast<u32>(23i)));
+                        let _e523 = (_e516 == 0u);
+                        let _e526 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e516)), 32u, _e523)) - 8i);
+                        if (_e519 == 255i) {
+                            phi_914_ = 255i;
+                        } else {
+                            phi_914_ = (((_e519 + select(0i, 1i, (_e519 == 0i))) - _e526) + _e460);
+                        }
+                        let _e534 = phi_914_;
+                        let _e544 = (_e534 <= 0i);
+                        if _e544 {
+                            phi_937_ = u32();
+                        } else {
+                            if _e523 {
+                                phi_936_ = u32();
+                            } else {
+                                phi_936_ = select(((bitcast<u32>(_e534) << bitcast<u32>(23i)) | ((_e516 << bitcast<u32>(((_e526 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e534 >= 255i));
+                            }
+                            let _e548 = phi_936_;
+                            phi_937_ = _e548;
+                        }
+                        let _e550 = phi_937_;
+                        phi_945_ = bitcast<f32>(((_e160 & 2147483648u) | select(_e550, 0u, select(_e523, true, _e544))));
+                        phi_946_ = bitcast<f32>(((_e151 & 2147483648u) | select(_e504, 0u, select(_e477, true, _e498))));
+                    } else {
+                        phi_945_ = 0f;
+                        phi_946_ = 1f;
+                    }
+                    let _e556 = phi_945_;
+                    let _e558 = phi_946_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2280_ = false;
-                    phi_653_ = type_39(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e393);
-                    phi_656_ = select(0u, 2147483648u, (_e67 == 0u));
-                    phi_658_ = ((3u * _e67) + 1u);
-                    phi_660_ = (_e395 <= _e393);
-                    phi_662_ = 0u;
+                    phi_2682_ = false;
+                    phi_957_ = type_39(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e556);
+                    phi_960_ = select(0u, 2147483648u, (_e75 == 0u));
+                    phi_962_ = ((3u * _e75) + 1u);
+                    phi_964_ = (_e558 <= _e556);
+                    phi_966_ = 0u;
                     loop {
-                        let _e403 = phi_2280_;
-                        let _e405 = phi_653_;
-                        let _e407 = phi_656_;
-                        let _e409 = phi_658_;
-                        let _e411 = phi_660_;
-                        let _e413 = phi_662_;
-                        local_2 = _e405;
-                        if _e411 {
-                            phi_673_ = true;
+                        let _e566 = phi_2682_;
+                        let _e568 = phi_957_;
+                        let _e570 = phi_960_;
+                        let _e572 = phi_962_;
+                        let _e574 = phi_964_;
+                        let _e576 = phi_966_;
+                        local_2 = _e568;
+                        if _e574 {
+                            phi_977_ = true;
                         } else {
-                            phi_673_ = (_e413 > 0u);
+                            phi_977_ = (_e576 > 0u);
                         }
-                        let _e416 = phi_673_;
-                        if _e416 {
-                            let _e417 = (_e409 > 0u);
-                            if _e417 {
-                                if _e411 {
-                                    phi_705_ = _e407;
-                                    phi_706_ = _e411;
-                                    phi_707_ = _e413;
+                        let _e579 = phi_977_;
+                        if _e579 {
+                            let _e580 = (_e572 > 0u);
+                            if _e580 {
+                                if _e574 {
+                                    phi_1009_ = _e570;
+                                    phi_1010_ = _e574;
+                                    phi_1011_ = _e576;
                                 } else {
-                                    let _e418 = (_e413 - 1u);
-                                    let _e419 = (_e418 % 128u);
-                                    let _e420 = (_e419 < 128u);
-                                    if _e420 {
+                                    let _e581 = (_e576 - 1u);
+                                    let _e582 = (_e581 % 128u);
+                                    let _e583 = (_e582 < 128u);
+                                    if _e583 {
                                     } else {
-                                        phi_2416_ = true;
+                                        phi_2836_ = true;
                                         break;
                                     }
-                                    let _e422 = local_1[_e419];
-                                    if _e420 {
+                                    let _e585 = local_1[_e582];
+                                    if _e583 {
                                     } else {
-                                        phi_2416_ = true;
+                                        phi_2836_ = true;
                                         break;
                                     }
-                                    let _e424 = local[_e419];
-                                    phi_705_ = _e422;
-                                    phi_706_ = (_e424 <= _e405.member_1);
-                                    phi_707_ = _e418;
+                                    let _e587 = local[_e582];
+                                    phi_1009_ = _e585;
+                                    phi_1010_ = (_e587 <= _e568.member_1);
+                                    phi_1011_ = _e581;
                                 }
-                                let _e428 = phi_705_;
-                                let _e430 = phi_706_;
-                                let _e432 = phi_707_;
-                                if _e430 {
-                                    if ((_e428 & 2147483648u) != 0u) {
-                                        phi_722_ = _e405;
-                                        phi_725_ = type_4(0u, ((_e428 >> bitcast<u32>(28u)) & 7u));
+                                let _e591 = phi_1009_;
+                                let _e593 = phi_1010_;
+                                let _e595 = phi_1011_;
+                                if _e593 {
+                                    if ((_e591 & 2147483648u) != 0u) {
+                                        phi_1026_ = _e568;
+                                        phi_1029_ = type_4(0u, ((_e591 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e630 = phi_722_;
-                                            let _e632 = phi_725_;
-                                            local_3 = _e630;
-                                            if (_e632.member < _e632.member_1) {
-                                                phi_726_ = type_4((_e632.member + 1u), _e632.member_1);
-                                                phi_748_ = type_4(1u, _e632.member);
+                                            let _e793 = phi_1026_;
+                                            let _e795 = phi_1029_;
+                                            local_3 = _e793;
+                                            if (_e795.member < _e795.member_1) {
+                                                phi_1030_ = type_4((_e795.member + 1u), _e795.member_1);
+                                                phi_1052_ = type_4(1u, _e795.member);
                                             } else {
-                                                phi_726_ = _e632;
-                                                phi_748_ = type_4(0u, type_4().member_1);
+                                                phi_1030_ = _e795;
+                                                phi_1052_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e645 = phi_726_;
-                                            let _e647 = phi_748_;
-                                            let _e651 = (bitcast<i32>(_e647.member) != 0i);
-                                            if _e651 {
-                                                let _e652 = ((_e428 & 268435455u) + _e647.member_1);
-                                                let _e653 = (_e652 < _e69);
-                                                if _e653 {
-                                                    if _e653 {
+                                            let _e808 = phi_1030_;
+                                            let _e810 = phi_1052_;
+                                            let _e814 = (bitcast<i32>(_e810.member) != 0i);
+                                            if _e814 {
+                                                let _e815 = ((_e591 & 268435455u) + _e810.member_1);
+                                                let _e816 = (_e815 < _e77);
+                                                if _e816 {
+                                                    if _e816 {
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2676_ = true;
                                                         break;
                                                     }
-                                                    let _e657 = global_3.member[_e652].member_1;
-                                                    phi_769_ = _e657;
+                                                    let _e820 = global_3.member[_e815].member_1;
+                                                    phi_1073_ = _e820;
                                                 } else {
-                                                    phi_769_ = 4294967295u;
+                                                    phi_1073_ = 4294967295u;
                                                 }
-                                                let _e659 = phi_769_;
-                                                if (_e652 >= _e69) {
-                                                    phi_858_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e822 = phi_1073_;
+                                                if (_e815 >= _e77) {
+                                                    phi_1162_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e653 {
+                                                    if _e816 {
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2676_ = true;
                                                         break;
                                                     }
-                                                    let _e661 = (_e195 % 3u);
-                                                    let _e662 = (_e194 % 3u);
-                                                    let _e663 = (_e196 % 3u);
-                                                    if (_e661 < 9u) {
+                                                    let _e824 = (_e203 % 3u);
+                                                    let _e825 = (_e202 % 3u);
+                                                    let _e826 = (_e204 % 3u);
+                                                    if (_e824 < 9u) {
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2676_ = true;
                                                         break;
                                                     }
-                                                    let _e669 = global_3.member[_e652].member[_e661];
-                                                    if (_e662 < 9u) {
+                                                    let _e832 = global_3.member[_e815].member[_e824];
+                                                    if (_e825 < 9u) {
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2676_ = true;
                                                         break;
                                                     }
-                                                    let _e675 = global_3.member[_e652].member[_e662];
-                                                    if (_e663 < 9u) {
+                                                    let _e838 = global_3.member[_e815].member[_e825];
+                                                    if (_e826 < 9u) {
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2676_ = true;
                                                         break;
                                                     }
-                                                    let _e681 = global_3.member[_e652].member[_e663];
-                                                    let _e683 = (3u + _e661);
-                                                    if (_e683 < 9u) {
+                                                    let _e844 = global_3.member[_e815].member[_e826];
+                                                    let _e846 = (3u + _e824);
+                                                    if (_e846 < 9u) {
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2676_ = true;
                                                         break;
                                                     }
-                                                    let _e689 = global_3.member[_e652].member[_e683];
-                                                    let _e690 = (3u + _e662);
-                                                    if (_e690 < 9u) {
+                                                    let _e852 = global_3.member[_e815].member[_e846];
+                                                    let _e853 = (3u + _e825);
+                                                    if (_e853 < 9u) {
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2676_ = true;
                                                         break;
                                                     }
-                                                    let _e696 = global_3.member[_e652].member[_e690];
-                                                    let _e697 = (3u + _e663);
-                                                    if (_e697 < 9u) {
+                                                    let _e859 = global_3.member[_e815].member[_e853];
+                                                    let _e860 = (3u + _e826);
+                                                    if (_e860 < 9u) {
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2676_ = true;
                                                         break;
                                                     }
-                                                    let _e703 = global_3.member[_e652].member[_e697];
-                                                    let _e705 = (6u + _e661);
-                                                    if (_e705 < 9u) {
+                                                    let _e866 = global_3.member[_e815].member[_e860];
+                                                    let _e868 = (6u + _e824);
+                                                    if (_e868 < 9u) {
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2676_ = true;
                                                         break;
                                                     }
-                                                    let _e711 = global_3.member[_e652].member[_e705];
-                                                    let _e712 = (6u + _e662);
-                                                    if (_e712 < 9u) {
+                                                    let _e874 = global_3.member[_e815].member[_e868];
+                                                    let _e875 = (6u + _e825);
+                                                    if (_e875 < 9u) {
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2676_ = true;
                                                         break;
                                                     }
-                                                    let _e718 = global_3.member[_e652].member[_e712];
-                                                    let _e719 = (6u + _e663);
-                                                    if (_e719 < 9u) {
+                                                    let _e881 = global_3.member[_e815].member[_e875];
+                                                    let _e882 = (6u + _e826);
+                                                    if (_e882 < 9u) {
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2676_ = true;
                                                         break;
                                                     }
-                                                    let _e725 = global_3.member[_e652].member[_e719];
-                                                    phi_858_ = array<array<f32, 3>, 3>(array<f32, 3>(_e669, _e675, _e681), array<f32, 3>(_e689, _e696, _e703), array<f32, 3>(_e711, _e718, _e725));
+                                                    let _e888 = global_3.member[_e815].member[_e882];
+                                                    phi_1162_ = array<array<f32, 3>, 3>(array<f32, 3>(_e832, _e838, _e844), array<f32, 3>(_e852, _e859, _e866), array<f32, 3>(_e874, _e881, _e888));
                                                 }
-                                                let _e729 = phi_858_;
-                                                let _e737 = (_e729[0][2] - _e321);
-                                                let _e740 = (((_e729[0][0] - _e244) * _e345) - (_e737 * _e269));
-                                                let _e743 = (((_e729[0][1] - _e283) * _e345) - (_e737 * _e307));
-                                                let _e750 = (_e729[1][2] - _e321);
-                                                let _e753 = (((_e729[1][0] - _e244) * _e345) - (_e750 * _e269));
-                                                let _e756 = (((_e729[1][1] - _e283) * _e345) - (_e750 * _e307));
-                                                let _e763 = (_e729[2][2] - _e321);
-                                                let _e766 = (((_e729[2][0] - _e244) * _e345) - (_e763 * _e269));
-                                                let _e769 = (((_e729[2][1] - _e283) * _e345) - (_e763 * _e307));
-                                                let _e770 = (_e766 * _e756);
-                                                let _e771 = (_e769 * _e753);
-                                                let _e772 = (_e740 * _e769);
-                                                let _e773 = (_e743 * _e766);
-                                                let _e774 = (_e753 * _e743);
-                                                let _e775 = (_e756 * _e740);
-                                                let _e780 = (((_e770 >= _e771) && (_e772 >= _e773)) && (_e774 >= _e775));
-                                                if (_e780 || (((_e770 <= _e771) && (_e772 <= _e773)) && (_e774 <= _e775))) {
-                                                    let _e787 = select(-1f, 1f, _e780);
-                                                    let _e789 = ((_e770 - _e771) * _e787);
-                                                    let _e791 = select(0f, _e789, (_e789 > 0f));
-                                                    let _e793 = ((_e772 - _e773) * _e787);
-                                                    let _e795 = select(0f, _e793, (_e793 > 0f));
-                                                    let _e797 = ((_e774 - _e775) * _e787);
-                                                    let _e799 = select(0f, _e797, (_e797 > 0f));
-                                                    let _e801 = ((_e791 + _e795) + _e799);
-                                                    if (_e801 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1683_ = type_23();
-                                                        phi_1684_ = true;
-                                                        phi_1685_ = false;
+                                                let _e892 = phi_1162_;
+                                                let _e900 = (_e892[0][2] - _e404);
+                                                let _e903 = (((_e892[0][0] - _e267) * _e443) - (_e900 * _e307));
+                                                let _e906 = (((_e892[0][1] - _e336) * _e443) - (_e900 * _e375));
+                                                let _e913 = (_e892[1][2] - _e404);
+                                                let _e916 = (((_e892[1][0] - _e267) * _e443) - (_e913 * _e307));
+                                                let _e919 = (((_e892[1][1] - _e336) * _e443) - (_e913 * _e375));
+                                                let _e926 = (_e892[2][2] - _e404);
+                                                let _e929 = (((_e892[2][0] - _e267) * _e443) - (_e926 * _e307));
+                                                let _e932 = (((_e892[2][1] - _e336) * _e443) - (_e926 * _e375));
+                                                let _e933 = (_e929 * _e919);
+                                                let _e934 = (_e932 * _e916);
+                                                let _e935 = (_e903 * _e932);
+                                                let _e936 = (_e906 * _e929);
+                                                let _e937 = (_e916 * _e906);
+                                                let _e938 = (_e919 * _e903);
+                                                let _e943 = (((_e933 >= _e934) && (_e935 >= _e936)) && (_e937 >= _e938));
+                                                if (_e943 || (((_e933 <= _e934) && (_e935 <= _e936)) && (_e937 <= _e938))) {
+                                                    let _e950 = select(-1f, 1f, _e943);
+                                                    let _e952 = ((_e933 - _e934) * _e950);
+                                                    let _e954 = select(0f, _e952, (_e952 > 0f));
+                                                    let _e956 = ((_e935 - _e936) * _e950);
+                                                    let _e958 = select(0f, _e956, (_e956 > 0f));
+                                                    let _e960 = ((_e937 - _e938) * _e950);
+                                                    let _e962 = select(0f, _e960, (_e960 > 0f));
+                                                    let _e964 = ((_e954 + _e958) + _e962);
+                                                    if (_e964 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1987_ = type_23();
+                                                        phi_1988_ = true;
+                                                        phi_1989_ = false;
                                                     } else {
-                                                        let _e804 = select(_e753, _e740, (_e740 < _e753));
-                                                        if (select(_e766, _e804, (_e804 < _e766)) > 0f) {
-                                                            phi_975_ = true;
+                                                        let _e967 = select(_e916, _e903, (_e903 < _e916));
+                                                        if (select(_e929, _e967, (_e967 < _e929)) > 0f) {
+                                                            phi_1279_ = true;
                                                         } else {
-                                                            let _e809 = select(_e753, _e740, (_e740 > _e753));
-                                                            phi_975_ = (select(_e766, _e809, (_e809 > _e766)) < 0f);
+                                                            let _e972 = select(_e916, _e903, (_e903 > _e916));
+                                                            phi_1279_ = (select(_e929, _e972, (_e972 > _e929)) < 0f);
                                                         }
-                                                        let _e814 = phi_975_;
-                                                        if _e814 {
-                                                            phi_1680_ = type_23();
-                                                            phi_1681_ = true;
-                                                            phi_1682_ = false;
+                                                        let _e977 = phi_1279_;
+                                                        if _e977 {
+                                                            phi_1984_ = type_23();
+                                                            phi_1985_ = true;
+                                                            phi_1986_ = false;
                                                         } else {
-                                                            let _e816 = select(_e756, _e743, (_e743 < _e756));
-                                                            if (select(_e769, _e816, (_e816 < _e769)) > 0f) {
-                                                                phi_1004_ = true;
+                                                            let _e979 = select(_e919, _e906, (_e906 < _e919));
+                                                            if (select(_e932, _e979, (_e979 < _e932)) > 0f) {
+                                                                phi_1308_ = true;
                                                             } else {
-                                                                let _e821 = select(_e756, _e743, (_e743 > _e756));
-                                                                phi_1004_ = (select(_e769, _e821, (_e821 > _e769)) < 0f);
+                                                                let _e984 = select(_e919, _e906, (_e906 > _e919));
+                                                                phi_1308_ = (select(_e932, _e984, (_e984 > _e932)) < 0f);
                                                             }
-                                                            let _e826 = phi_1004_;
-                                                            if _e826 {
-                                                                phi_1678_ = type_23();
-                                                                phi_1679_ = false;
+                                                            let _e989 = phi_1308_;
+                                                            if _e989 {
+                                                                phi_1982_ = type_23();
+                                                                phi_1983_ = false;
                                                             } else {
-                                                                let _e828 = select(_e729[1][0], _e729[0][0], (_e729[0][0] < _e729[1][0]));
-                                                                let _e832 = select(_e729[1][0], _e729[0][0], (_e729[0][0] > _e729[1][0]));
-                                                                let _e836 = select(_e729[1][1], _e729[0][1], (_e729[0][1] < _e729[1][1]));
-                                                                let _e840 = select(_e729[1][1], _e729[0][1], (_e729[0][1] > _e729[1][1]));
-                                                                let _e844 = select(_e729[1][2], _e729[0][2], (_e729[0][2] < _e729[1][2]));
-                                                                let _e848 = select(_e729[1][2], _e729[0][2], (_e729[0][2] > _e729[1][2]));
-                                                                let _e853 = ((select(_e729[2][0], _e828, (_e828 < _e729[2][0])) - _e267) * _e272);
-                                                                let _e854 = ((select(_e729[2][0], _e832, (_e832 > _e729[2][0])) - _e268) * _e272);
-                                                                let _e857 = ((select(_e729[2][1], _e836, (_e836 < _e729[2][1])) - _e305) * _e310);
-                                                                let _e858 = ((select(_e729[2][1], _e840, (_e840 > _e729[2][1])) - _e306) * _e310);
-                                                                let _e861 = ((select(_e729[2][2], _e844, (_e844 < _e729[2][2])) - _e343) * _e348);
-                                                                let _e862 = ((select(_e729[2][2], _e848, (_e848 > _e729[2][2])) - _e344) * _e348);
-                                                                let _e864 = select(_e862, _e861, (_e861 < _e862));
-                                                                let _e866 = select(_e862, _e861, (_e861 > _e862));
-                                                                let _e868 = select(_e854, _e853, (_e853 < _e854));
-                                                                let _e870 = select(_e858, _e857, (_e857 < _e858));
-                                                                let _e872 = select(_e870, _e868, (_e868 > _e870));
-                                                                let _e874 = select(_e864, _e872, (_e872 > _e864));
-                                                                let _e876 = select(_e854, _e853, (_e853 > _e854));
-                                                                let _e878 = select(_e858, _e857, (_e857 > _e858));
-                                                                let _e880 = select(_e878, _e876, (_e876 < _e878));
-                                                                let _e882 = select(_e866, _e880, (_e880 < _e866));
-                                                                let _e883 = -(_e864);
-                                                                let _e889 = select(_e395, _e874, (_e874 > _e395));
-                                                                if (_e889 > (_e882 + (select(_e883, _e866, (_e866 > _e883)) * 0.0000019073523f))) {
-                                                                    phi_1673_ = type_23();
-                                                                    phi_1674_ = true;
+                                                                let _e991 = select(_e892[1][0], _e892[0][0], (_e892[0][0] < _e892[1][0]));
+                                                                let _e995 = select(_e892[1][0], _e892[0][0], (_e892[0][0] > _e892[1][0]));
+                                                                let _e999 = select(_e892[1][1], _e892[0][1], (_e892[0][1] < _e892[1][1]));
+                                                                let _e1003 = select(_e892[1][1], _e892[0][1], (_e892[0][1] > _e892[1][1]));
+                                                                let _e1007 = select(_e892[1][2], _e892[0][2], (_e892[0][2] < _e892[1][2]));
+                                                                let _e1011 = select(_e892[1][2], _e892[0][2], (_e892[0][2] > _e892[1][2]));
+                                                                let _e1016 = ((select(_e892[2][0], _e991, (_e991 < _e892[2][0])) - _e305) * _e310);
+                                                                let _e1017 = ((select(_e892[2][0], _e995, (_e995 > _e892[2][0])) - _e306) * _e310);
+                                                                let _e1020 = ((select(_e892[2][1], _e999, (_e999 < _e892[2][1])) - _e373) * _e378);
+                                                                let _e1021 = ((select(_e892[2][1], _e1003, (_e1003 > _e892[2][1])) - _e374) * _e378);
+                                                                let _e1024 = ((select(_e892[2][2], _e1007, (_e1007 < _e892[2][2])) - _e441) * _e446);
+                                                                let _e1025 = ((select(_e892[2][2], _e1011, (_e1011 > _e892[2][2])) - _e442) * _e446);
+                                                                let _e1027 = select(_e1025, _e1024, (_e1024 < _e1025));
+                                                                let _e1029 = select(_e1025, _e1024, (_e1024 > _e1025));
+                                                                let _e1031 = select(_e1017, _e1016, (_e1016 < _e1017));
+                                                                let _e1033 = select(_e1021, _e1020, (_e1020 < _e1021));
+                                                                let _e1035 = select(_e1033, _e1031, (_e1031 > _e1033));
+                                                                let _e1037 = select(_e1027, _e1035, (_e1035 > _e1027));
+                                                                let _e1039 = select(_e1017, _e1016, (_e1016 > _e1017));
+                                                                let _e1041 = select(_e1021, _e1020, (_e1020 > _e1021));
+                                                                let _e1043 = select(_e1041, _e1039, (_e1039 < _e1041));
+                                                                let _e1045 = select(_e1029, _e1043, (_e1043 < _e1029));
+                                                                let _e1046 = -(_e1027);
+                                                                let _e1052 = select(_e558, _e1037, (_e1037 > _e558));
+                                                                if (_e1052 > (_e1045 + (select(_e1046, _e1029, (_e1029 > _e1046)) * 0.0000019073523f))) {
+                                                                    phi_1977_ = type_23();
+                                                                    phi_1978_ = true;
                                                                 } else {
-                                                                    let _e891 = (_e889 > _e630.member_1);
-                                                                    if _e891 {
-                                                                        phi_1672_ = type_23();
+                                                                    let _e1054 = (_e1052 > _e793.member_1);
+                                                                    if _e1054 {
+                                                                        phi_1976_ = type_23();
                                                                     } else {
-                                                                        let _e892 = vec3<f32>(_e729[0][0], _e729[0][1], _e729[0][2]);
-                                                                        let _e893 = vec3<f32>(_e729[1][0], _e729[1][1], _e729[1][2]);
-                                                                        let _e894 = vec3<f32>(_e729[2][0], _e729[2][1], _e729[2][2]);
-                                                                        let _e895 = (_e729[1][0] - _e729[0][0]);
-                                                                        let _e896 = (_e729[1][1] - _e729[0][1]);
-                                                                        let _e897 = (_e729[1][2] - _e729[0][2]);
-                                                                        let _e898 = vec3<f32>(_e895, _e896, _e897);
-                                                                        let _e899 = (_e729[2][0] - _e729[1][0]);
-                                                                        let _e900 = (_e729[2][1] - _e729[1][1]);
-                                                                        let _e901 = (_e729[2][2] - _e729[1][2]);
-                                                                        let _e902 = vec3<f32>(_e899, _e900, _e901);
-                                                                        let _e903 = (_e729[0][0] - _e729[2][0]);
-                                                                        let _e904 = (_e729[0][1] - _e729[2][1]);
-                                                                        let _e905 = (_e729[0][2] - _e729[2][2]);
-                                                                        let _e906 = vec3<f32>(_e903, _e904, _e905);
-                                                                        let _e909 = bitcast<f32>((bitcast<u32>(_e895) & 2147483647u));
-                                                                        let _e912 = bitcast<f32>((bitcast<u32>(_e896) & 2147483647u));
-                                                                        let _e914 = select(_e912, _e909, (_e909 > _e912));
-                                                                        let _e917 = bitcast<f32>((bitcast<u32>(_e897) & 2147483647u));
-                                                                        let _e919 = select(_e917, _e914, (_e914 > _e917));
-                                                                        let _e922 = bitcast<f32>((bitcast<u32>(_e899) & 2147483647u));
-                                                                        let _e925 = bitcast<f32>((bitcast<u32>(_e900) & 2147483647u));
-                                                                        let _e927 = select(_e925, _e922, (_e922 > _e925));
-                                                                        let _e930 = bitcast<f32>((bitcast<u32>(_e901) & 2147483647u));
-                                                                        let _e932 = select(_e930, _e927, (_e927 > _e930));
-                                                                        let _e935 = bitcast<f32>((bitcast<u32>(_e903) & 2147483647u));
-                                                                        let _e938 = bitcast<f32>((bitcast<u32>(_e904) & 2147483647u));
-                                                                        let _e940 = select(_e938, _e935, (_e935 > _e938));
-                                                                        let _e943 = bitcast<f32>((bitcast<u32>(_e905) & 2147483647u));
-                                                                        let _e945 = select(_e943, _e940, (_e940 > _e943));
-                                                                        let _e947 = select(_e932, _e919, (_e919 > _e932));
-                                                                        let _e949 = select(_e945, _e947, (_e947 > _e945));
-                                                                        if (_e919 == _e949) {
-                                                                            phi_1405_ = _e756;
-                                                                            phi_1406_ = _e753;
-                                                                            phi_1407_ = _e743;
-                                                                            phi_1408_ = _e740;
-                                                                            phi_1409_ = _e892;
-                                                                            phi_1410_ = _e906;
-                                                                            phi_1411_ = _e902;
-                                                                            phi_1412_ = _e898;
+                                                                        let _e1055 = vec3<f32>(_e892[0][0], _e892[0][1], _e892[0][2]);
+                                                                        let _e1056 = vec3<f32>(_e892[1][0], _e892[1][1], _e892[1][2]);
+                                                                        let _e1057 = vec3<f32>(_e892[2][0], _e892[2][1], _e892[2][2]);
+                                                                        let _e1058 = (_e892[1][0] - _e892[0][0]);
+                                                                        let _e1059 = (_e892[1][1] - _e892[0][1]);
+                                                                        let _e1060 = (_e892[1][2] - _e892[0][2]);
+                                                                        let _e1061 = vec3<f32>(_e1058, _e1059, _e1060);
+                                                                        let _e1062 = (_e892[2][0] - _e892[1][0]);
+                                                                        let _e1063 = (_e892[2][1] - _e892[1][1]);
+                                                                        let _e1064 = (_e892[2][2] - _e892[1][2]);
+                                                                        let _e1065 = vec3<f32>(_e1062, _e1063, _e1064);
+                                                                        let _e1066 = (_e892[0][0] - _e892[2][0]);
+                                                                        let _e1067 = (_e892[0][1] - _e892[2][1]);
+                                                                        let _e1068 = (_e892[0][2] - _e892[2][2]);
+                                                                        let _e1069 = vec3<f32>(_e1066, _e1067, _e1068);
+                                                                        let _e1072 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
+                                                                        let _e1075 = bitcast<f32>((bitcast<u32>(_e1059) & 2147483647u));
+                                                                        let _e1077 = select(_e1075, _e1072, (_e1072 > _e1075));
+                                                                        let _e1080 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
+                                                                        let _e1082 = select(_e1080, _e1077, (_e1077 > _e1080));
+                                                                        let _e1085 = bitcast<f32>((bitcast<u32>(_e1062) & 2147483647u));
+                                                                        let _e1088 = bitcast<f32>((bitcast<u32>(_e1063) & 2147483647u));
+                                                                        let _e1090 = select(_e1088, _e1085, (_e1085 > _e1088));
+                                                                        let _e1093 = bitcast<f32>((bitcast<u32>(_e1064) & 2147483647u));
+                                                                        let _e1095 = select(_e1093, _e1090, (_e1090 > _e1093));
+                                                                        let _e1098 = bitcast<f32>((bitcast<u32>(_e1066) & 2147483647u));
+                                                                        let _e1101 = bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u));
+                                                                        let _e1103 = select(_e1101, _e1098, (_e1098 > _e1101));
+                                                                        let _e1106 = bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u));
+                                                                        let _e1108 = select(_e1106, _e1103, (_e1103 > _e1106));
+                                                                        let _e1110 = select(_e1095, _e1082, (_e1082 > _e1095));
+                                                                        let _e1112 = select(_e1108, _e1110, (_e1110 > _e1108));
+                                                                        if (_e1082 == _e1112) {
+                                                                            phi_1709_ = _e919;
+                                                                            phi_1710_ = _e916;
+                                                                            phi_1711_ = _e906;
+                                                                            phi_1712_ = _e903;
+                                                                            phi_1713_ = _e1055;
+                                                                            phi_1714_ = _e1069;
+                                                                            phi_1715_ = _e1065;
+                                                                            phi_1716_ = _e1061;
                                                                         } else {
-                                                                            let _e951 = (_e932 == _e949);
-                                                                            let _e956 = vec3(_e951);
-                                                                            phi_1405_ = select(_e743, _e769, _e951);
-                                                                            phi_1406_ = select(_e740, _e766, _e951);
-                                                                            phi_1407_ = select(_e769, _e756, _e951);
-                                                                            phi_1408_ = select(_e766, _e753, _e951);
-                                                                            phi_1409_ = select(_e894, _e893, _e956);
-                                                                            phi_1410_ = select(_e902, _e898, _e956);
-                                                                            phi_1411_ = select(_e898, _e906, _e956);
-                                                                            phi_1412_ = select(_e906, _e902, _e956);
+                                                                            let _e1114 = (_e1095 == _e1112);
+                                                                            let _e1119 = vec3(_e1114);
+                                                                            phi_1709_ = select(_e906, _e932, _e1114);
+                                                                            phi_1710_ = select(_e903, _e929, _e1114);
+                                                                            phi_1711_ = select(_e932, _e919, _e1114);
+                                                                            phi_1712_ = select(_e929, _e916, _e1114);
+                                                                            phi_1713_ = select(_e1057, _e1056, _e1119);
+                                                                            phi_1714_ = select(_e1065, _e1061, _e1119);
+                                                                            phi_1715_ = select(_e1061, _e1069, _e1119);
+                                                                            phi_1716_ = select(_e1069, _e1065, _e1119);
                                                                         }
-                                                                        let _e962 = phi_1405_;
-                                                                        let _e964 = phi_1406_;
-                                                                        let _e966 = phi_1407_;
-                                                                        let _e968 = phi_1408_;
-                                                                        let _e970 = phi_1409_;
-                                                                        let _e972 = phi_1410_;
-                                                                        let _e974 = phi_1411_;
-                                                                        let _e976 = phi_1412_;
-                                                                        let _e983 = ((_e974.y * _e972.z) - (_e972.y * _e974.z));
-                                                                        let _e988 = ((_e974.z * _e972.x) - (_e972.z * _e974.x));
-                                                                        let _e991 = ((_e974.x * _e972.y) - (_e972.x * _e974.y));
-                                                                        if (_e791 >= _e795) {
-                                                                            phi_1443_ = select(true, false, (_e791 >= _e799));
+                                                                        let _e1125 = phi_1709_;
+                                                                        let _e1127 = phi_1710_;
+                                                                        let _e1129 = phi_1711_;
+                                                                        let _e1131 = phi_1712_;
+                                                                        let _e1133 = phi_1713_;
+                                                                        let _e1135 = phi_1714_;
+                                                                        let _e1137 = phi_1715_;
+                                                                        let _e1139 = phi_1716_;
+                                                                        let _e1146 = ((_e1137.y * _e1135.z) - (_e1135.y * _e1137.z));
+                                                                        let _e1151 = ((_e1137.z * _e1135.x) - (_e1135.z * _e1137.x));
+                                                                        let _e1154 = ((_e1137.x * _e1135.y) - (_e1135.x * _e1137.y));
+                                                                        if (_e954 >= _e958) {
+                                                                            phi_1747_ = select(true, false, (_e954 >= _e962));
                                                                         } else {
-                                                                            phi_1443_ = true;
+                                                                            phi_1747_ = true;
                                                                         }
-                                                                        let _e996 = phi_1443_;
-                                                                        if _e996 {
-                                                                            phi_1452_ = select(_e894, _e893, vec3((_e795 >= _e799)));
+                                                                        let _e1159 = phi_1747_;
+                                                                        if _e1159 {
+                                                                            phi_1756_ = select(_e1057, _e1056, vec3((_e958 >= _e962)));
                                                                         } else {
-                                                                            phi_1452_ = _e892;
+                                                                            phi_1756_ = _e1055;
                                                                         }
-                                                                        let _e1001 = phi_1452_;
-                                                                        let _e1012 = (((_e983 * (_e1001.x - _e244)) + (_e988 * (_e1001.y - _e283))) + (_e991 * (_e1001.z - _e321)));
-                                                                        let _e1017 = (((_e983 * _e269) + (_e988 * _e307)) + (_e991 * _e345));
-                                                                        let _e1018 = (_e964 - _e968);
-                                                                        let _e1019 = (_e962 - _e966);
-                                                                        let _e1027 = (-(((_e968 * _e1018) + (_e966 * _e1019))) / ((_e1018 * _e1018) + (_e1019 * _e1019)));
-                                                                        let _e1029 = select(1f, _e1027, (_e1027 < 1f));
-                                                                        let _e1031 = select(0f, _e1029, (_e1029 > 0f));
-                                                                        let _e1044 = ((_e970.x + (_e976.x * _e1031)) - _e244);
-                                                                        let _e1045 = ((_e970.y + (_e976.y * _e1031)) - _e283);
-                                                                        let _e1046 = ((_e970.z + (_e976.z * _e1031)) - _e321);
-                                                                        let _e1047 = (_e1046 / _e345);
-                                                                        let _e1059 = bitcast<f32>((bitcast<u32>(_e1044) & 2147483647u));
-                                                                        let _e1062 = bitcast<f32>((bitcast<u32>(_e1045) & 2147483647u));
-                                                                        let _e1064 = select(_e1062, _e1059, (_e1059 > _e1062));
-                                                                        let _e1067 = bitcast<f32>((bitcast<u32>(_e1046) & 2147483647u));
-                                                                        let _e1069 = select(_e1067, _e1064, (_e1064 > _e1067));
-                                                                        let _e1075 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
-                                                                        let _e1078 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
-                                                                        let _e1080 = select(_e1078, _e1075, (_e1075 > _e1078));
-                                                                        let _e1083 = bitcast<f32>((bitcast<u32>(_e991) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e983 * _e1044) + (_e988 * _e1045)) + (_e991 * _e1046)) - _e1012)) & 2147483647u)) <= ((0.0000009536743f * select(_e949, _e1069, (_e1069 > _e949))) * select(_e1083, _e1080, (_e1080 > _e1083)))) {
-                                                                            let _e1093 = bitcast<f32>((bitcast<u32>(_e974.x) & 2147483647u));
-                                                                            let _e1096 = bitcast<f32>((bitcast<u32>(_e974.y) & 2147483647u));
-                                                                            let _e1098 = select(_e1096, _e1093, (_e1093 > _e1096));
-                                                                            let _e1101 = bitcast<f32>((bitcast<u32>(_e974.z) & 2147483647u));
-                                                                            let _e1107 = bitcast<f32>((bitcast<u32>(_e972.x) & 2147483647u));
-                                                                            let _e1110 = bitcast<f32>((bitcast<u32>(_e972.y) & 2147483647u));
-                                                                            let _e1112 = select(_e1110, _e1107, (_e1107 > _e1110));
-                                                                            let _e1115 = bitcast<f32>((bitcast<u32>(_e972.z) & 2147483647u));
-                                                                            let _e1119 = (bitcast<f32>((bitcast<u32>(_e1017) & 2147483647u)) > ((0.0000038146973f * select(_e1101, _e1098, (_e1098 > _e1101))) * select(_e1115, _e1112, (_e1112 > _e1115))));
-                                                                            if _e1119 {
-                                                                                phi_1617_ = (_e1012 / _e1017);
+                                                                        let _e1164 = phi_1756_;
+                                                                        let _e1175 = (((_e1146 * (_e1164.x - _e267)) + (_e1151 * (_e1164.y - _e336))) + (_e1154 * (_e1164.z - _e404)));
+                                                                        let _e1180 = (((_e1146 * _e307) + (_e1151 * _e375)) + (_e1154 * _e443));
+                                                                        let _e1181 = (_e1127 - _e1131);
+                                                                        let _e1182 = (_e1125 - _e1129);
+                                                                        let _e1190 = (-(((_e1131 * _e1181) + (_e1129 * _e1182))) / ((_e1181 * _e1181) + (_e1182 * _e1182)));
+                                                                        let _e1192 = select(1f, _e1190, (_e1190 < 1f));
+                                                                        let _e1194 = select(0f, _e1192, (_e1192 > 0f));
+                                                                        let _e1207 = ((_e1133.x + (_e1139.x * _e1194)) - _e267);
+                                                                        let _e1208 = ((_e1133.y + (_e1139.y * _e1194)) - _e336);
+                                                                        let _e1209 = ((_e1133.z + (_e1139.z * _e1194)) - _e404);
+                                                                        let _e1210 = (_e1209 / _e443);
+                                                                        let _e1222 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
+                                                                        let _e1225 = bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u));
+                                                                        let _e1227 = select(_e1225, _e1222, (_e1222 > _e1225));
+                                                                        let _e1230 = bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u));
+                                                                        let _e1232 = select(_e1230, _e1227, (_e1227 > _e1230));
+                                                                        let _e1238 = bitcast<f32>((bitcast<u32>(_e1146) & 2147483647u));
+                                                                        let _e1241 = bitcast<f32>((bitcast<u32>(_e1151) & 2147483647u));
+                                                                        let _e1243 = select(_e1241, _e1238, (_e1238 > _e1241));
+                                                                        let _e1246 = bitcast<f32>((bitcast<u32>(_e1154) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1146 * _e1207) + (_e1151 * _e1208)) + (_e1154 * _e1209)) - _e1175)) & 2147483647u)) <= ((0.0000009536743f * select(_e1112, _e1232, (_e1232 > _e1112))) * select(_e1246, _e1243, (_e1243 > _e1246)))) {
+                                                                            let _e1256 = bitcast<f32>((bitcast<u32>(_e1137.x) & 2147483647u));
+                                                                            let _e1259 = bitcast<f32>((bitcast<u32>(_e1137.y) & 2147483647u));
+                                                                            let _e1261 = select(_e1259, _e1256, (_e1256 > _e1259));
+                                                                            let _e1264 = bitcast<f32>((bitcast<u32>(_e1137.z) & 2147483647u));
+                                                                            let _e1270 = bitcast<f32>((bitcast<u32>(_e1135.x) & 2147483647u));
+                                                                            let _e1273 = bitcast<f32>((bitcast<u32>(_e1135.y) & 2147483647u));
+                                                                            let _e1275 = select(_e1273, _e1270, (_e1270 > _e1273));
+                                                                            let _e1278 = bitcast<f32>((bitcast<u32>(_e1135.z) & 2147483647u));
+                                                                            let _e1282 = (bitcast<f32>((bitcast<u32>(_e1180) & 2147483647u)) > ((0.0000038146973f * select(_e1264, _e1261, (_e1261 > _e1264))) * select(_e1278, _e1275, (_e1275 > _e1278))));
+                                                                            if _e1282 {
+                                                                                phi_1921_ = (_e1175 / _e1180);
                                                                             } else {
-                                                                                phi_1617_ = f32();
+                                                                                phi_1921_ = f32();
                                                                             }
-                                                                            let _e1122 = phi_1617_;
-                                                                            phi_1619_ = _e1122;
-                                                                            phi_1620_ = select(true, false, _e1119);
+                                                                            let _e1285 = phi_1921_;
+                                                                            phi_1923_ = _e1285;
+                                                                            phi_1924_ = select(true, false, _e1282);
                                                                         } else {
-                                                                            phi_1619_ = f32();
-                                                                            phi_1620_ = true;
+                                                                            phi_1923_ = f32();
+                                                                            phi_1924_ = true;
                                                                         }
-                                                                        let _e1125 = phi_1619_;
-                                                                        let _e1127 = phi_1620_;
-                                                                        if _e1127 {
-                                                                            let _e1135 = (((_e983 * (_e1044 - (_e269 * _e1047))) + (_e988 * (_e1045 - (_e307 * _e1047)))) / _e1017);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u)) <= _e949) {
-                                                                                phi_1640_ = (_e1047 + _e1135);
+                                                                        let _e1288 = phi_1923_;
+                                                                        let _e1290 = phi_1924_;
+                                                                        if _e1290 {
+                                                                            let _e1298 = (((_e1146 * (_e1207 - (_e307 * _e1210))) + (_e1151 * (_e1208 - (_e375 * _e1210)))) / _e1180);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1298) & 2147483647u)) <= _e1112) {
+                                                                                phi_1944_ = (_e1210 + _e1298);
                                                                             } else {
-                                                                                phi_1640_ = _e1047;
+                                                                                phi_1944_ = _e1210;
                                                                             }
-                                                                            let _e1142 = phi_1640_;
-                                                                            phi_1641_ = _e1142;
+                                                                            let _e1305 = phi_1944_;
+                                                                            phi_1945_ = _e1305;
                                                                         } else {
-                                                                            phi_1641_ = _e1125;
+                                                                            phi_1945_ = _e1288;
                                                                         }
-                                                                        let _e1144 = phi_1641_;
-                                                                        let _e1146 = select(_e882, _e1144, (_e1144 < _e882));
-                                                                        let _e1148 = select(_e874, _e1146, (_e1146 > _e874));
-                                                                        if (_e1148 >= _e395) {
-                                                                            let _e1150 = (_e1148 <= _e630.member_1);
-                                                                            if _e1150 {
-                                                                                let _e1151 = (1f / _e801);
-                                                                                phi_1664_ = type_23(_e1148, (_e795 * _e1151), (_e799 * _e1151), _e659);
+                                                                        let _e1307 = phi_1945_;
+                                                                        let _e1309 = select(_e1045, _e1307, (_e1307 < _e1045));
+                                                                        let _e1311 = select(_e1037, _e1309, (_e1309 > _e1037));
+                                                                        if (_e1311 >= _e558) {
+                                                                            let _e1313 = (_e1311 <= _e793.member_1);
+                                                                            if _e1313 {
+                                                                                let _e1314 = (1f / _e964);
+                                                                                phi_1968_ = type_23(_e1311, (_e958 * _e1314), (_e962 * _e1314), _e822);
                                                                             } else {
-                                                                                phi_1664_ = type_23();
+                                                                                phi_1968_ = type_23();
                                                                             }
-                                                                            let _e1156 = phi_1664_;
-                                                                            phi_1666_ = _e1156;
-                                                                            phi_1667_ = select(true, false, _e1150);
+                                                                            let _e1319 = phi_1968_;
+                                                                            phi_1970_ = _e1319;
+                                                                            phi_1971_ = select(true, false, _e1313);
                                                                         } else {
-                                                                            phi_1666_ = type_23();
-                                                                            phi_1667_ = true;
+                                                                            phi_1970_ = type_23();
+                                                                            phi_1971_ = true;
                                                                         }
-                                                                        let _e1159 = phi_1666_;
-                                                                        let _e1161 = phi_1667_;
-                                                                        if _e1161 {
-                                                                            phi_1671_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1322 = phi_1970_;
+                                                                        let _e1324 = phi_1971_;
+                                                                        if _e1324 {
+                                                                            phi_1975_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1671_ = _e1159;
+                                                                            phi_1975_ = _e1322;
                                                                         }
-                                                                        let _e1163 = phi_1671_;
-                                                                        phi_1672_ = _e1163;
+                                                                        let _e1326 = phi_1975_;
+                                                                        phi_1976_ = _e1326;
                                                                     }
-                                                                    let _e1165 = phi_1672_;
-                                                                    phi_1673_ = _e1165;
-                                                                    phi_1674_ = _e891;
+                                                                    let _e1328 = phi_1976_;
+                                                                    phi_1977_ = _e1328;
+                                                                    phi_1978_ = _e1054;
                                                                 }
-                                                                let _e1167 = phi_1673_;
-                                                                let _e1169 = phi_1674_;
-                                                                phi_1678_ = _e1167;
-                                                                phi_1679_ = _e1169;
+                                                                let _e1330 = phi_1977_;
+                                                                let _e1332 = phi_1978_;
+                                                                phi_1982_ = _e1330;
+                                                                phi_1983_ = _e1332;
                                                             }
-                                                            let _e1171 = phi_1678_;
-                                                            let _e1173 = phi_1679_;
-                                                            phi_1680_ = _e1171;
-                                                            phi_1681_ = _e826;
-                                                            phi_1682_ = _e1173;
+                                                            let _e1334 = phi_1982_;
+                                                            let _e1336 = phi_1983_;
+                                                            phi_1984_ = _e1334;
+                                                            phi_1985_ = _e989;
+                                                            phi_1986_ = _e1336;
                                                         }
-                                                        let _e1175 = phi_1680_;
-                                                        let _e1177 = phi_1681_;
-                                                        let _e1179 = phi_1682_;
-                                                        phi_1683_ = _e1175;
-                                                        phi_1684_ = _e1177;
-                                                        phi_1685_ = _e1179;
+                                                        let _e1338 = phi_1984_;
+                                                        let _e1340 = phi_1985_;
+                                                        let _e1342 = phi_1986_;
+                                                        phi_1987_ = _e1338;
+                                                        phi_1988_ = _e1340;
+                                                        phi_1989_ = _e1342;
                                                     }
-                                                    let _e1181 = phi_1683_;
-                                                    let _e1183 = phi_1684_;
-                                                    let _e1185 = phi_1685_;
-                                                    phi_1693_ = _e1181;
-                                                    phi_1694_ = select(_e1185, true, _e1183);
+                                                    let _e1344 = phi_1987_;
+                                                    let _e1346 = phi_1988_;
+                                                    let _e1348 = phi_1989_;
+                                                    phi_1997_ = _e1344;
+                                                    phi_1998_ = select(_e1348, true, _e1346);
                                                 } else {
-                                                    phi_1693_ = type_23();
-                                                    phi_1694_ = true;
+                                                    phi_1997_ = type_23();
+                                                    phi_1998_ = true;
                                                 }
-                                                let _e1188 = phi_1693_;
-                                                let _e1190 = phi_1694_;
-                                                if _e1190 {
-                                                    phi_1698_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1351 = phi_1997_;
+                                                let _e1353 = phi_1998_;
+                                                if _e1353 {
+                                                    phi_2002_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1698_ = _e1188;
+                                                    phi_2002_ = _e1351;
                                                 }
-                                                let _e1192 = phi_1698_;
-                                                if (_e1192.member_3 != 4294967295u) {
-                                                    if (_e659 != 4294967295u) {
-                                                        if (_e1192.member < _e630.member.member) {
-                                                            phi_1724_ = true;
+                                                let _e1355 = phi_2002_;
+                                                if (_e1355.member_3 != 4294967295u) {
+                                                    if (_e822 != 4294967295u) {
+                                                        if (_e1355.member < _e793.member.member) {
+                                                            phi_2028_ = true;
                                                         } else {
-                                                            if (_e1192.member == _e630.member.member) {
-                                                                phi_1723_ = (_e1192.member_3 < _e630.member.member_3);
+                                                            if (_e1355.member == _e793.member.member) {
+                                                                phi_2027_ = (_e1355.member_3 < _e793.member.member_3);
                                                             } else {
-                                                                phi_1723_ = false;
+                                                                phi_2027_ = false;
                                                             }
-                                                            let _e1205 = phi_1723_;
-                                                            phi_1724_ = _e1205;
+                                                            let _e1368 = phi_2027_;
+                                                            phi_2028_ = _e1368;
                                                         }
-                                                        let _e1207 = phi_1724_;
-                                                        if _e1207 {
-                                                            phi_1730_ = type_39(_e1192, _e1192.member);
+                                                        let _e1370 = phi_2028_;
+                                                        if _e1370 {
+                                                            phi_2034_ = type_39(_e1355, _e1355.member);
                                                         } else {
-                                                            phi_1730_ = _e630;
+                                                            phi_2034_ = _e793;
                                                         }
-                                                        let _e1210 = phi_1730_;
-                                                        phi_1731_ = _e1210;
+                                                        let _e1373 = phi_2034_;
+                                                        phi_2035_ = _e1373;
                                                     } else {
-                                                        phi_1731_ = _e630;
+                                                        phi_2035_ = _e793;
                                                     }
-                                                    let _e1212 = phi_1731_;
-                                                    phi_1732_ = _e1212;
+                                                    let _e1375 = phi_2035_;
+                                                    phi_2036_ = _e1375;
                                                 } else {
-                                                    phi_1732_ = _e630;
+                                                    phi_2036_ = _e793;
                                                 }
-                                                let _e1214 = phi_1732_;
-                                                phi_723_ = _e1214;
+                                                let _e1377 = phi_2036_;
+                                                phi_1027_ = _e1377;
                                             } else {
-                                                phi_723_ = type_39();
+                                                phi_1027_ = type_39();
                                             }
-                                            let _e1216 = phi_723_;
+                                            let _e1379 = phi_1027_;
                                             continue;
                                             continuing {
-                                                phi_722_ = _e1216;
-                                                phi_725_ = _e645;
-                                                phi_2274_ = _e403;
-                                                break if !(_e651);
+                                                phi_1026_ = _e1379;
+                                                phi_1029_ = _e808;
+                                                phi_2676_ = _e566;
+                                                break if !(_e814);
                                             }
                                         }
-                                        let _e1219 = phi_2274_;
-                                        phi_2416_ = _e1219;
-                                        if _e1219 {
+                                        let _e1382 = phi_2676_;
+                                        phi_2836_ = _e1382;
+                                        if _e1382 {
                                             break;
                                         }
-                                        phi_2420_ = _e1219;
-                                        let _e1406 = local_3;
-                                        phi_2187_ = _e1406;
-                                        phi_2188_ = _e428;
-                                        phi_2189_ = false;
-                                        phi_2190_ = _e432;
+                                        phi_2840_ = _e1382;
+                                        let _e1668 = local_3;
+                                        phi_2491_ = _e1668;
+                                        phi_2492_ = _e591;
+                                        phi_2493_ = false;
+                                        phi_2494_ = _e595;
                                     } else {
-                                        if (_e428 >= _e67) {
-                                            phi_1792_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e591 >= _e75) {
+                                            phi_2096_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e428 < _e67) {
+                                            if (_e591 < _e75) {
                                             } else {
-                                                phi_2416_ = true;
+                                                phi_2836_ = true;
                                                 break;
                                             }
-                                            let _e442 = (_e195 % 3u);
-                                            if (_e442 < 3u) {
+                                            let _e605 = (_e203 % 3u);
+                                            if (_e605 < 3u) {
                                             } else {
-                                                phi_2416_ = true;
+                                                phi_2836_ = true;
                                                 break;
                                             }
-                                            let _e448 = global_2.member[_e428].member[_e442];
-                                            let _e454 = (_e194 % 3u);
-                                            if (_e454 < 3u) {
+                                            let _e611 = global_2.member[_e591].member[_e605];
+                                            let _e617 = (_e202 % 3u);
+                                            if (_e617 < 3u) {
                                             } else {
-                                                phi_2416_ = true;
+                                                phi_2836_ = true;
                                                 break;
                                             }
-                                            let _e460 = global_2.member[_e428].member[_e454];
-                                            let _e466 = (_e196 % 3u);
-                                            if (_e466 < 3u) {
+                                            let _e623 = global_2.member[_e591].member[_e617];
+                                            let _e629 = (_e204 % 3u);
+                                            if (_e629 < 3u) {
                                             } else {
-                                                phi_2416_ = true;
+                                                phi_2836_ = true;
                                                 break;
                                             }
-                                            let _e472 = global_2.member[_e428].member[_e466];
-                                            let _e482 = global_2.member[_e428].member_1;
-                                            let _e486 = global_2.member[_e428].member_2;
-                                            phi_1792_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3]), vec4<f32>(_e472[0], _e472[1], _e472[2], _e472[3])), _e482, _e486);
+                                            let _e635 = global_2.member[_e591].member[_e629];
+                                            let _e645 = global_2.member[_e591].member_1;
+                                            let _e649 = global_2.member[_e591].member_2;
+                                            phi_2096_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e611[0], _e611[1], _e611[2], _e611[3]), vec4<f32>(_e623[0], _e623[1], _e623[2], _e623[3]), vec4<f32>(_e635[0], _e635[1], _e635[2], _e635[3])), _e645, _e649);
                                         }
-                                        let _e489 = phi_1792_;
-                                        let _e501 = ((_e489.member[0].x - _e267) * _e272);
-                                        let _e502 = ((_e489.member[0].y - _e267) * _e272);
-                                        let _e503 = ((_e489.member[0].z - _e268) * _e272);
-                                        let _e504 = ((_e489.member[0].w - _e268) * _e272);
-                                        let _e514 = ((_e489.member[1].x - _e305) * _e310);
-                                        let _e515 = ((_e489.member[1].y - _e305) * _e310);
-                                        let _e516 = ((_e489.member[1].z - _e306) * _e310);
-                                        let _e517 = ((_e489.member[1].w - _e306) * _e310);
-                                        let _e527 = ((_e489.member[2].x - _e343) * _e348);
-                                        let _e528 = ((_e489.member[2].y - _e343) * _e348);
-                                        let _e529 = ((_e489.member[2].z - _e344) * _e348);
-                                        let _e530 = ((_e489.member[2].w - _e344) * _e348);
-                                        let _e532 = select(_e529, _e527, (_e527 < _e529));
-                                        let _e534 = select(_e530, _e528, (_e528 < _e530));
-                                        let _e536 = select(_e529, _e527, (_e527 > _e529));
-                                        let _e538 = select(_e530, _e528, (_e528 > _e530));
-                                        let _e540 = select(_e503, _e501, (_e501 < _e503));
-                                        let _e542 = select(_e504, _e502, (_e502 < _e504));
-                                        let _e544 = select(_e516, _e514, (_e514 < _e516));
-                                        let _e546 = select(_e517, _e515, (_e515 < _e517));
-                                        let _e548 = select(_e544, _e540, (_e540 > _e544));
-                                        let _e550 = select(_e546, _e542, (_e542 > _e546));
-                                        let _e552 = select(_e532, _e548, (_e548 > _e532));
-                                        let _e554 = select(_e534, _e550, (_e550 > _e534));
-                                        let _e556 = select(_e503, _e501, (_e501 > _e503));
-                                        let _e558 = select(_e504, _e502, (_e502 > _e504));
-                                        let _e560 = select(_e516, _e514, (_e514 > _e516));
-                                        let _e562 = select(_e517, _e515, (_e515 > _e517));
-                                        let _e564 = select(_e560, _e556, (_e556 < _e560));
-                                        let _e566 = select(_e562, _e558, (_e558 < _e562));
-                                        let _e571 = -(_e532);
-                                        let _e572 = -(_e534);
-                                        let _e579 = (select(_e536, _e564, (_e564 < _e536)) + (select(_e571, _e536, (_e536 > _e571)) * 0.0000019073523f));
-                                        let _e580 = (select(_e538, _e566, (_e566 < _e538)) + (select(_e572, _e538, (_e538 > _e572)) * 0.0000019073523f));
-                                        let _e582 = select(_e395, _e552, (_e552 > _e395));
-                                        let _e584 = select(_e395, _e554, (_e554 > _e395));
-                                        let _e589 = (_e582 <= select(_e405.member_1, _e579, (_e579 < _e405.member_1)));
-                                        let _e590 = (_e584 <= select(_e405.member_1, _e580, (_e580 < _e405.member_1)));
-                                        let _e591 = (_e582 <= _e584);
-                                        if _e589 {
-                                            if _e590 {
-                                                if _e591 {
-                                                    phi_2136_ = _e489.member_2;
+                                        let _e652 = phi_2096_;
+                                        let _e664 = ((_e652.member[0].x - _e305) * _e310);
+                                        let _e665 = ((_e652.member[0].y - _e305) * _e310);
+                                        let _e666 = ((_e652.member[0].z - _e306) * _e310);
+                                        let _e667 = ((_e652.member[0].w - _e306) * _e310);
+                                        let _e677 = ((_e652.member[1].x - _e373) * _e378);
+                                        let _e678 = ((_e652.member[1].y - _e373) * _e378);
+                                        let _e679 = ((_e652.member[1].z - _e374) * _e378);
+                                        let _e680 = ((_e652.member[1].w - _e374) * _e378);
+                                        let _e690 = ((_e652.member[2].x - _e441) * _e446);
+                                        let _e691 = ((_e652.member[2].y - _e441) * _e446);
+                                        let _e692 = ((_e652.member[2].z - _e442) * _e446);
+                                        let _e693 = ((_e652.member[2].w - _e442) * _e446);
+                                        let _e695 = select(_e692, _e690, (_e690 < _e692));
+                                        let _e697 = select(_e693, _e691, (_e691 < _e693));
+                                        let _e699 = select(_e692, _e690, (_e690 > _e692));
+                                        let _e701 = select(_e693, _e691, (_e691 > _e693));
+                                        let _e703 = select(_e666, _e664, (_e664 < _e666));
+                                        let _e705 = select(_e667, _e665, (_e665 < _e667));
+                                        let _e707 = select(_e679, _e677, (_e677 < _e679));
+                                        let _e709 = select(_e680, _e678, (_e678 < _e680));
+                                        let _e711 = select(_e707, _e703, (_e703 > _e707));
+                                        let _e713 = select(_e709, _e705, (_e705 > _e709));
+                                        let _e715 = select(_e695, _e711, (_e711 > _e695));
+                                        let _e717 = select(_e697, _e713, (_e713 > _e697));
+                                        let _e719 = select(_e666, _e664, (_e664 > _e666));
+                                        let _e721 = select(_e667, _e665, (_e665 > _e667));
+                                        let _e723 = select(_e679, _e677, (_e677 > _e679));
+                                        let _e725 = select(_e680, _e678, (_e678 > _e680));
+                                        let _e727 = select(_e723, _e719, (_e719 < _e723));
+                                        let _e729 = select(_e725, _e721, (_e721 < _e725));
+                                        let _e734 = -(_e695);
+                                        let _e735 = -(_e697);
+                                        let _e742 = (select(_e699, _e727, (_e727 < _e699)) + (select(_e734, _e699, (_e699 > _e734)) * 0.0000019073523f));
+                                        let _e743 = (select(_e701, _e729, (_e729 < _e701)) + (select(_e735, _e701, (_e701 > _e735)) * 0.0000019073523f));
+                                        let _e745 = select(_e558, _e715, (_e715 > _e558));
+                                        let _e747 = select(_e558, _e717, (_e717 > _e558));
+                                        let _e752 = (_e745 <= select(_e568.member_1, _e742, (_e742 < _e568.member_1)));
+                                        let _e753 = (_e747 <= select(_e568.member_1, _e743, (_e743 < _e568.member_1)));
+                                        let _e754 = (_e745 <= _e747);
+                                        if _e752 {
+                                            if _e753 {
+                                                if _e754 {
+                                                    phi_2440_ = _e652.member_2;
                                                 } else {
-                                                    phi_2136_ = _e489.member_1;
+                                                    phi_2440_ = _e652.member_1;
                                                 }
-                                                let _e595 = phi_2136_;
-                                                let _e598 = (_e432 % 128u);
-                                                let _e599 = (_e598 < 128u);
-                                                if _e599 {
+                                                let _e758 = phi_2440_;
+                                                let _e761 = (_e595 % 128u);
+                                                let _e762 = (_e761 < 128u);
+                                                if _e762 {
                                                 } else {
-                                                    phi_2416_ = true;
+                                                    phi_2836_ = true;
                                                     break;
                                                 }
-                                                local_1[_e598] = _e595;
-                                                if _e599 {
+                                                local_1[_e761] = _e758;
+                                                if _e762 {
                                                 } else {
-                                                    phi_2416_ = true;
+                                                    phi_2836_ = true;
                                                     break;
                                                 }
-                                                local[_e598] = select(_e584, _e582, (_e582 > _e584));
-                                                if _e591 {
-                                                    phi_2164_ = _e489.member_1;
+                                                local[_e761] = select(_e747, _e745, (_e745 > _e747));
+                                                if _e754 {
+                                                    phi_2468_ = _e652.member_1;
                                                 } else {
-                                                    phi_2164_ = _e489.member_2;
+                                                    phi_2468_ = _e652.member_2;
                                                 }
-                                                let _e606 = phi_2164_;
-                                                phi_2165_ = _e606;
-                                                phi_2166_ = (_e432 + 1u);
+                                                let _e769 = phi_2468_;
+                                                phi_2469_ = _e769;
+                                                phi_2470_ = (_e595 + 1u);
                                             } else {
-                                                phi_2165_ = u32();
-                                                phi_2166_ = u32();
+                                                phi_2469_ = u32();
+                                                phi_2470_ = u32();
                                             }
-                                            let _e608 = phi_2165_;
-                                            let _e610 = phi_2166_;
-                                            phi_2168_ = _e608;
-                                            phi_2169_ = _e610;
-                                            phi_2170_ = select(true, false, _e590);
+                                            let _e771 = phi_2469_;
+                                            let _e773 = phi_2470_;
+                                            phi_2472_ = _e771;
+                                            phi_2473_ = _e773;
+                                            phi_2474_ = select(true, false, _e753);
                                         } else {
-                                            phi_2168_ = u32();
-                                            phi_2169_ = u32();
-                                            phi_2170_ = true;
+                                            phi_2472_ = u32();
+                                            phi_2473_ = u32();
+                                            phi_2474_ = true;
                                         }
-                                        let _e613 = phi_2168_;
-                                        let _e615 = phi_2169_;
-                                        let _e617 = phi_2170_;
-                                        if _e617 {
-                                            if _e589 {
-                                                phi_2179_ = _e489.member_1;
+                                        let _e776 = phi_2472_;
+                                        let _e778 = phi_2473_;
+                                        let _e780 = phi_2474_;
+                                        if _e780 {
+                                            if _e752 {
+                                                phi_2483_ = _e652.member_1;
                                             } else {
-                                                phi_2179_ = _e489.member_2;
+                                                phi_2483_ = _e652.member_2;
                                             }
-                                            let _e621 = phi_2179_;
-                                            phi_2184_ = _e621;
-                                            phi_2185_ = select(_e590, true, _e589);
+                                            let _e784 = phi_2483_;
+                                            phi_2488_ = _e784;
+                                            phi_2489_ = select(_e753, true, _e752);
                                         } else {
-                                            phi_2184_ = _e613;
-                                            phi_2185_ = _e430;
+                                            phi_2488_ = _e776;
+                                            phi_2489_ = _e593;
                                         }
-                                        let _e624 = phi_2184_;
-                                        let _e626 = phi_2185_;
-                                        phi_2420_ = _e403;
-                                        phi_2187_ = _e405;
-                                        phi_2188_ = _e624;
-                                        phi_2189_ = _e626;
-                                        phi_2190_ = select(_e615, _e432, _e617);
+                                        let _e787 = phi_2488_;
+                                        let _e789 = phi_2489_;
+                                        phi_2840_ = _e566;
+                                        phi_2491_ = _e568;
+                                        phi_2492_ = _e787;
+                                        phi_2493_ = _e789;
+                                        phi_2494_ = select(_e778, _e595, _e780);
                                     }
-                                    let _e1221 = phi_2420_;
-                                    let _e1223 = phi_2187_;
-                                    let _e1225 = phi_2188_;
-                                    let _e1227 = phi_2189_;
-                                    let _e1229 = phi_2190_;
-                                    phi_2419_ = _e1221;
-                                    phi_2191_ = _e1223;
-                                    phi_2192_ = _e1225;
-                                    phi_2193_ = (_e409 - 1u);
-                                    phi_2194_ = _e1227;
-                                    phi_2195_ = _e1229;
+                                    let _e1384 = phi_2840_;
+                                    let _e1386 = phi_2491_;
+                                    let _e1388 = phi_2492_;
+                                    let _e1390 = phi_2493_;
+                                    let _e1392 = phi_2494_;
+                                    phi_2839_ = _e1384;
+                                    phi_2495_ = _e1386;
+                                    phi_2496_ = _e1388;
+                                    phi_2497_ = (_e572 - 1u);
+                                    phi_2498_ = _e1390;
+                                    phi_2499_ = _e1392;
                                 } else {
-                                    phi_2419_ = _e403;
-                                    phi_2191_ = _e405;
-                                    phi_2192_ = _e428;
-                                    phi_2193_ = _e409;
-                                    phi_2194_ = _e430;
-                                    phi_2195_ = _e432;
+                                    phi_2839_ = _e566;
+                                    phi_2495_ = _e568;
+                                    phi_2496_ = _e591;
+                                    phi_2497_ = _e572;
+                                    phi_2498_ = _e593;
+                                    phi_2499_ = _e595;
                                 }
-                                let _e1231 = phi_2419_;
-                                let _e1233 = phi_2191_;
-                                let _e1235 = phi_2192_;
-                                let _e1237 = phi_2193_;
-                                let _e1239 = phi_2194_;
-                                let _e1241 = phi_2195_;
-                                phi_2418_ = _e1231;
-                                phi_2196_ = _e1233;
-                                phi_2197_ = _e1235;
-                                phi_2198_ = _e1237;
-                                phi_2199_ = _e1239;
-                                phi_2200_ = _e1241;
+                                let _e1394 = phi_2839_;
+                                let _e1396 = phi_2495_;
+                                let _e1398 = phi_2496_;
+                                let _e1400 = phi_2497_;
+                                let _e1402 = phi_2498_;
+                                let _e1404 = phi_2499_;
+                                phi_2838_ = _e1394;
+                                phi_2500_ = _e1396;
+                                phi_2501_ = _e1398;
+                                phi_2502_ = _e1400;
+                                phi_2503_ = _e1402;
+                                phi_2504_ = _e1404;
                             } else {
-                                phi_2418_ = _e403;
-                                phi_2196_ = type_39();
-                                phi_2197_ = u32();
-                                phi_2198_ = u32();
-                                phi_2199_ = bool();
-                                phi_2200_ = u32();
+                                phi_2838_ = _e566;
+                                phi_2500_ = type_39();
+                                phi_2501_ = u32();
+                                phi_2502_ = u32();
+                                phi_2503_ = bool();
+                                phi_2504_ = u32();
                             }
-                            let _e1243 = phi_2418_;
-                            let _e1245 = phi_2196_;
-                            let _e1247 = phi_2197_;
-                            let _e1249 = phi_2198_;
-                            let _e1251 = phi_2199_;
-                            let _e1253 = phi_2200_;
-                            phi_2417_ = _e1243;
-                            phi_654_ = _e1245;
-                            phi_657_ = _e1247;
-                            phi_659_ = _e1249;
-                            phi_661_ = _e1251;
-                            phi_663_ = _e1253;
-                            phi_2201_ = _e417;
+                            let _e1406 = phi_2838_;
+                            let _e1408 = phi_2500_;
+                            let _e1410 = phi_2501_;
+                            let _e1412 = phi_2502_;
+                            let _e1414 = phi_2503_;
+                            let _e1416 = phi_2504_;
+                            phi_2837_ = _e1406;
+                            phi_958_ = _e1408;
+                            phi_961_ = _e1410;
+                            phi_963_ = _e1412;
+                            phi_965_ = _e1414;
+                            phi_967_ = _e1416;
+                            phi_2505_ = _e580;
                         } else {
-                            phi_2417_ = _e403;
-                            phi_654_ = type_39();
-                            phi_657_ = u32();
-                            phi_659_ = u32();
-                            phi_661_ = bool();
-                            phi_663_ = u32();
-                            phi_2201_ = false;
+                            phi_2837_ = _e566;
+                            phi_958_ = type_39();
+                            phi_961_ = u32();
+                            phi_963_ = u32();
+                            phi_965_ = bool();
+                            phi_967_ = u32();
+                            phi_2505_ = false;
                         }
-                        let _e1255 = phi_2417_;
-                        let _e1257 = phi_654_;
-                        let _e1259 = phi_657_;
-                        let _e1261 = phi_659_;
-                        let _e1263 = phi_661_;
-                        let _e1265 = phi_663_;
-                        let _e1267 = phi_2201_;
+                        let _e1418 = phi_2837_;
+                        let _e1420 = phi_958_;
+                        let _e1422 = phi_961_;
+                        let _e1424 = phi_963_;
+                        let _e1426 = phi_965_;
+                        let _e1428 = phi_967_;
+                        let _e1430 = phi_2505_;
                         continue;
                         continuing {
-                            phi_2280_ = _e1255;
-                            phi_653_ = _e1257;
-                            phi_656_ = _e1259;
-                            phi_658_ = _e1261;
-                            phi_660_ = _e1263;
-                            phi_662_ = _e1265;
-                            phi_2416_ = _e1255;
-                            break if !(_e1267);
+                            phi_2682_ = _e1418;
+                            phi_957_ = _e1420;
+                            phi_960_ = _e1422;
+                            phi_962_ = _e1424;
+                            phi_964_ = _e1426;
+                            phi_966_ = _e1428;
+                            phi_2836_ = _e1418;
+                            break if !(_e1430);
                         }
                     }
-                    let _e1270 = phi_2416_;
-                    if _e1270 {
+                    let _e1433 = phi_2836_;
+                    if _e1433 {
                         break;
                     }
-                    let _e1272 = local_2;
-                    if (_e1272.member.member_3 != 4294967295u) {
-                        let _e1277 = -(_e362);
-                        let _e1278 = (_e1277 / 3i);
-                        let _e1285 = bitcast<f32>((bitcast<u32>((_e1278 + 127i)) << bitcast<u32>(23i)));
-                        let _e1293 = (((_e1272.member.member * _e1285) * _e1285) * bitcast<f32>((bitcast<u32>(((_e1277 - (2i * _e1278)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1295 = select(340282350000000000000000000000000000000f, _e1293, (_e1293 < 340282350000000000000000000000000000000f));
-                        phi_2253_ = type_23(select(-340282350000000000000000000000000000000f, _e1295, (_e1295 > -340282350000000000000000000000000000000f)), _e1272.member.member_1, _e1272.member.member_2, _e1272.member.member_3);
+                    let _e1435 = local_2;
+                    if (_e1435.member.member_3 != 4294967295u) {
+                        let _e1440 = -(_e460);
+                        let _e1441 = bitcast<u32>(_e1435.member.member);
+                        let _e1445 = (bitcast<i32>((_e1441 >> bitcast<u32>(23i))) & 255i);
+                        let _e1446 = (_e1445 + _e1440);
+                        if (_e1445 == 255i) {
+                            phi_2564_ = _e1435.member.member;
+                        } else {
+                            if (_e1445 > 0i) {
+                                if (_e1446 > 0i) {
+                                    let _e1450 = (_e1446 < 255i);
+                                    if _e1450 {
+                                        phi_2543_ = bitcast<f32>((_e1441 + bitcast<u32>((_e1440 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_2543_ = f32();
+                                    }
+                                    let _e1457 = phi_2543_;
+                                    phi_2545_ = _e1457;
+                                    phi_2546_ = select(true, false, _e1450);
+                                } else {
+                                    phi_2545_ = f32();
+                                    phi_2546_ = true;
+                                }
+                                let _e1460 = phi_2545_;
+                                let _e1462 = phi_2546_;
+                                phi_2547_ = _e1460;
+                                phi_2548_ = _e1462;
+                            } else {
+                                phi_2547_ = f32();
+                                phi_2548_ = true;
+                            }
+                            let _e1464 = phi_2547_;
+                            let _e1466 = phi_2548_;
+                            if _e1466 {
+                                let _e1467 = (_e1441 & 2147483648u);
+                                let _e1474 = ((_e1441 & 8388607u) | (select(0u, 1u, ((_e1441 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1478 = (_e1474 == 0u);
+                                if _e1478 {
+                                    phi_2671_ = bitcast<f32>(_e1467);
+                                } else {
+                                    let _e1483 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1474)), 32u, _e1478) - 8u);
+                                    let _e1486 = (_e1474 << bitcast<u32>((_e1483 & 31u)));
+                                    let _e1488 = ((_e1446 + select(0i, 1i, (_e1445 == 0i))) - bitcast<i32>(_e1483));
+                                    if (_e1488 >= 255i) {
+                                        phi_2661_ = bitcast<f32>((_e1467 | 2139095040u));
+                                        phi_2662_ = f32();
+                                        phi_2663_ = true;
+                                    } else {
+                                        let _e1490 = (_e1488 > 0i);
+                                        if _e1490 {
+                                            phi_2655_ = bitcast<f32>(((_e1467 | (bitcast<u32>(_e1488) << bitcast<u32>(23i))) | (_e1486 & 8388607u)));
+                                            phi_2656_ = f32();
+                                        } else {
+                                            if (_e1488 < -24i) {
+                                                phi_2621_ = 26u;
+                                            } else {
+                                                phi_2621_ = bitcast<u32>((1i - _e1488));
+                                            }
+                                            let _e1495 = phi_2621_;
+                                            let _e1496 = (_e1495 & 31u);
+                                            let _e1498 = (_e1486 >> bitcast<u32>(_e1496));
+                                            let _e1502 = (_e1486 & ((1u << bitcast<u32>(_e1496)) - 1u));
+                                            let _e1506 = (1u << bitcast<u32>(((_e1495 - 1u) & 31u)));
+                                            if (_e1502 > _e1506) {
+                                                phi_2642_ = true;
+                                            } else {
+                                                if (_e1502 == _e1506) {
+                                                    phi_2639_ = ((_e1498 & 1u) == 1u);
+                                                } else {
+                                                    phi_2639_ = false;
+                                                }
+                                                let _e1512 = phi_2639_;
+                                                phi_2642_ = _e1512;
+                                            }
+                                            let _e1514 = phi_2642_;
+                                            phi_2655_ = f32();
+                                            phi_2656_ = bitcast<f32>((_e1467 | (_e1498 + select(0u, 1u, _e1514))));
+                                        }
+                                        let _e1527 = phi_2655_;
+                                        let _e1529 = phi_2656_;
+                                        phi_2661_ = _e1527;
+                                        phi_2662_ = _e1529;
+                                        phi_2663_ = _e1490;
+                                    }
+                                    let _e1533 = phi_2661_;
+                                    let _e1535 = phi_2662_;
+                                    let _e1537 = phi_2663_;
+                                    phi_2671_ = select(_e1535, _e1533, _e1537);
+                                }
+                                let _e1541 = phi_2671_;
+                                phi_2563_ = _e1541;
+                            } else {
+                                phi_2563_ = _e1464;
+                            }
+                            let _e1543 = phi_2563_;
+                            phi_2564_ = _e1543;
+                        }
+                        let _e1545 = phi_2564_;
+                        let _e1546 = bitcast<u32>(_e1545);
+                        if ((_e1546 & 2147483647u) >= 2139095040u) {
+                            phi_2576_ = bitcast<f32>(((_e1546 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_2576_ = _e1545;
+                        }
+                        let _e1553 = phi_2576_;
+                        phi_2581_ = type_23(_e1553, _e1435.member.member_1, _e1435.member.member_2, _e1435.member.member_3);
                     } else {
-                        phi_2253_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2581_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1302 = phi_2253_;
-                    if _e83 {
+                    let _e1558 = phi_2581_;
+                    if _e91 {
                     } else {
                         break;
                     }
-                    global_5.member[_e77] = _e1302;
+                    global_5.member[_e85] = _e1558;
                 }
             }
             break;

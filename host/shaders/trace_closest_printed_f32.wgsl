@@ -93,394 +93,471 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_329_: i32;
-    var phi_330_: i32;
-    var phi_340_: bool;
-    var phi_350_: u32;
-    var phi_351_: u32;
-    var phi_353_: bool;
-    var phi_358_: u32;
-    var phi_370_: i32;
-    var phi_390_: i32;
-    var phi_408_: f32;
-    var phi_414_: f32;
-    var phi_425_: f32;
-    var phi_431_: f32;
-    var phi_454_: f32;
-    var phi_465_: f32;
-    var phi_474_: f32;
-    var phi_480_: f32;
+    var phi_412_: i32;
+    var phi_413_: i32;
+    var phi_423_: bool;
+    var phi_433_: u32;
+    var phi_434_: u32;
+    var phi_436_: bool;
+    var phi_441_: u32;
+    var phi_453_: i32;
+    var phi_473_: i32;
     var phi_491_: f32;
     var phi_497_: f32;
-    var phi_520_: f32;
-    var phi_531_: f32;
-    var phi_540_: f32;
-    var phi_546_: f32;
-    var phi_557_: f32;
-    var phi_563_: f32;
-    var phi_586_: f32;
-    var phi_597_: f32;
-    var phi_697_: f32;
-    var phi_698_: f32;
-    var phi_2974_: bool;
-    var phi_771_: type_33;
-    var phi_774_: type_49;
-    var phi_776_: u32;
-    var phi_778_: bool;
-    var phi_780_: u32;
-    var phi_791_: bool;
-    var phi_877_: type_49;
-    var phi_878_: bool;
-    var phi_879_: u32;
-    var phi_1926_: type_42;
-    var phi_2758_: type_49;
-    var phi_2835_: type_49;
-    var phi_2836_: type_49;
-    var phi_2837_: u32;
-    var phi_2839_: type_49;
-    var phi_2840_: u32;
-    var phi_2841_: bool;
-    var phi_2848_: type_49;
-    var phi_2853_: type_49;
-    var phi_2854_: bool;
-    var phi_897_: type_33;
-    var phi_900_: type_4;
-    var phi_901_: type_4;
-    var phi_923_: type_4;
-    var phi_944_: u32;
-    var phi_1033_: array<array<f32, 3>, 3>;
-    var phi_1150_: bool;
-    var phi_1179_: bool;
-    var phi_1580_: f32;
-    var phi_1581_: f32;
-    var phi_1582_: f32;
-    var phi_1583_: f32;
-    var phi_1584_: vec3<f32>;
-    var phi_1585_: vec3<f32>;
-    var phi_1586_: vec3<f32>;
-    var phi_1587_: vec3<f32>;
-    var phi_1618_: bool;
-    var phi_1627_: vec3<f32>;
-    var phi_1792_: f32;
-    var phi_1794_: f32;
-    var phi_1795_: bool;
-    var phi_1815_: f32;
-    var phi_1816_: f32;
-    var phi_1839_: type_22;
-    var phi_1841_: type_22;
-    var phi_1842_: bool;
-    var phi_1846_: type_22;
-    var phi_1847_: type_22;
-    var phi_1848_: type_22;
-    var phi_1849_: bool;
-    var phi_1853_: type_22;
-    var phi_1854_: bool;
-    var phi_1855_: type_22;
-    var phi_1856_: bool;
-    var phi_1857_: bool;
-    var phi_1858_: type_22;
-    var phi_1859_: bool;
-    var phi_1860_: bool;
-    var phi_1868_: type_22;
-    var phi_1869_: bool;
-    var phi_1873_: type_22;
-    var phi_1898_: bool;
-    var phi_1899_: bool;
-    var phi_1905_: type_33;
-    var phi_1906_: type_33;
-    var phi_1907_: type_33;
-    var phi_898_: type_33;
-    var phi_2968_: bool;
-    var phi_3114_: bool;
-    var phi_2856_: type_33;
-    var phi_2857_: type_49;
-    var phi_2858_: bool;
-    var phi_2859_: u32;
-    var phi_3113_: bool;
-    var phi_2860_: type_33;
-    var phi_2861_: type_49;
-    var phi_2862_: u32;
-    var phi_2863_: bool;
-    var phi_2864_: u32;
-    var phi_3112_: bool;
-    var phi_2865_: type_33;
-    var phi_2866_: type_49;
-    var phi_2867_: u32;
-    var phi_2868_: bool;
-    var phi_2869_: u32;
-    var phi_3111_: bool;
-    var phi_772_: type_33;
-    var phi_775_: type_49;
-    var phi_777_: u32;
-    var phi_779_: bool;
-    var phi_781_: u32;
-    var phi_2870_: bool;
-    var phi_3110_: bool;
+    var phi_537_: f32;
+    var phi_543_: f32;
+    var phi_595_: f32;
+    var phi_606_: f32;
+    var phi_615_: f32;
+    var phi_621_: f32;
+    var phi_661_: f32;
+    var phi_667_: f32;
+    var phi_719_: f32;
+    var phi_730_: f32;
+    var phi_739_: f32;
+    var phi_745_: f32;
+    var phi_785_: f32;
+    var phi_791_: f32;
+    var phi_843_: f32;
+    var phi_854_: f32;
+    var phi_909_: i32;
+    var phi_931_: u32;
+    var phi_932_: u32;
+    var phi_969_: i32;
+    var phi_991_: u32;
+    var phi_992_: u32;
+    var phi_1000_: f32;
+    var phi_1001_: f32;
+    var phi_3399_: bool;
+    var phi_1074_: type_33;
+    var phi_1077_: type_49;
+    var phi_1079_: u32;
+    var phi_1081_: bool;
+    var phi_1083_: u32;
+    var phi_1094_: bool;
+    var phi_1180_: type_49;
+    var phi_1181_: bool;
+    var phi_1182_: u32;
+    var phi_2229_: type_42;
+    var phi_3085_: type_49;
+    var phi_3162_: type_49;
+    var phi_3163_: type_49;
+    var phi_3164_: u32;
+    var phi_3166_: type_49;
+    var phi_3167_: u32;
+    var phi_3168_: bool;
+    var phi_3175_: type_49;
+    var phi_3180_: type_49;
+    var phi_3181_: bool;
+    var phi_1200_: type_33;
+    var phi_1203_: type_4;
+    var phi_1204_: type_4;
+    var phi_1226_: type_4;
+    var phi_1247_: u32;
+    var phi_1336_: array<array<f32, 3>, 3>;
+    var phi_1453_: bool;
+    var phi_1482_: bool;
+    var phi_1883_: f32;
+    var phi_1884_: f32;
+    var phi_1885_: f32;
+    var phi_1886_: f32;
+    var phi_1887_: vec3<f32>;
+    var phi_1888_: vec3<f32>;
+    var phi_1889_: vec3<f32>;
+    var phi_1890_: vec3<f32>;
+    var phi_1921_: bool;
+    var phi_1930_: vec3<f32>;
+    var phi_2095_: f32;
+    var phi_2097_: f32;
+    var phi_2098_: bool;
+    var phi_2118_: f32;
+    var phi_2119_: f32;
+    var phi_2142_: type_22;
+    var phi_2144_: type_22;
+    var phi_2145_: bool;
+    var phi_2149_: type_22;
+    var phi_2150_: type_22;
+    var phi_2151_: type_22;
+    var phi_2152_: bool;
+    var phi_2156_: type_22;
+    var phi_2157_: bool;
+    var phi_2158_: type_22;
+    var phi_2159_: bool;
+    var phi_2160_: bool;
+    var phi_2161_: type_22;
+    var phi_2162_: bool;
+    var phi_2163_: bool;
+    var phi_2171_: type_22;
+    var phi_2172_: bool;
+    var phi_2176_: type_22;
+    var phi_2201_: bool;
+    var phi_2202_: bool;
+    var phi_2208_: type_33;
+    var phi_2209_: type_33;
+    var phi_2210_: type_33;
+    var phi_1201_: type_33;
+    var phi_3393_: bool;
+    var phi_3557_: bool;
+    var phi_3183_: type_33;
+    var phi_3184_: type_49;
+    var phi_3185_: bool;
+    var phi_3186_: u32;
+    var phi_3556_: bool;
+    var phi_3187_: type_33;
+    var phi_3188_: type_49;
+    var phi_3189_: u32;
+    var phi_3190_: bool;
+    var phi_3191_: u32;
+    var phi_3555_: bool;
+    var phi_3192_: type_33;
+    var phi_3193_: type_49;
+    var phi_3194_: u32;
+    var phi_3195_: bool;
+    var phi_3196_: u32;
+    var phi_3554_: bool;
+    var phi_1075_: type_33;
+    var phi_1078_: type_49;
+    var phi_1080_: u32;
+    var phi_1082_: bool;
+    var phi_1084_: u32;
+    var phi_3197_: bool;
+    var phi_3553_: bool;
     var local_10: type_33;
-    var phi_2922_: type_22;
+    var phi_3235_: f32;
+    var phi_3237_: f32;
+    var phi_3238_: bool;
+    var phi_3239_: f32;
+    var phi_3240_: bool;
+    var phi_3313_: u32;
+    var phi_3331_: bool;
+    var phi_3334_: bool;
+    var phi_3347_: f32;
+    var phi_3348_: f32;
+    var phi_3353_: f32;
+    var phi_3354_: f32;
+    var phi_3355_: bool;
+    var phi_3363_: f32;
+    var phi_3255_: f32;
+    var phi_3256_: f32;
+    var phi_3268_: f32;
+    var phi_3273_: type_22;
     var local_11: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e77 = global;
-            let _e80 = arrayLength((&global_5.member));
-            let _e82 = arrayLength((&global_2.member));
-            let _e90 = global_3.member[0u][0u];
-            let _e94 = global_3.member[0u][1u];
-            let _e98 = global_3.member[0u][2u];
-            let _e102 = global_3.member[1u][0u];
-            let _e106 = global_3.member[1u][1u];
-            let _e110 = global_3.member[1u][2u];
-            let _e114 = global_3.member[1u][3u];
-            let _e117 = global_1.member[0u];
-            let _e118 = bitcast<i32>(_e117);
-            let _e128 = (_e77.x + (_e77.y * 2097152u));
-            let _e129 = (_e128 < arrayLength((&global_4.member)));
-            if _e129 {
-                let _e130 = (_e128 < arrayLength((&global_6.member)));
-                if _e130 {
-                    if _e129 {
+            let _e84 = global;
+            let _e87 = arrayLength((&global_5.member));
+            let _e89 = arrayLength((&global_2.member));
+            let _e97 = global_3.member[0u][0u];
+            let _e101 = global_3.member[0u][1u];
+            let _e105 = global_3.member[0u][2u];
+            let _e109 = global_3.member[1u][0u];
+            let _e113 = global_3.member[1u][1u];
+            let _e117 = global_3.member[1u][2u];
+            let _e121 = global_3.member[1u][3u];
+            let _e124 = global_1.member[0u];
+            let _e125 = bitcast<i32>(_e124);
+            let _e135 = (_e84.x + (_e84.y * 2097152u));
+            let _e136 = (_e135 < arrayLength((&global_4.member)));
+            if _e136 {
+                let _e137 = (_e135 < arrayLength((&global_6.member)));
+                if _e137 {
+                    if _e136 {
                     } else {
                         break;
                     }
-                    let _e138 = global_4.member[_e128].member_2[0u];
-                    let _e140 = (bitcast<u32>(_e138) & 2147483647u);
-                    let _e145 = global_4.member[_e128].member_2[1u];
+                    let _e145 = global_4.member[_e135].member_2[0u];
                     let _e147 = (bitcast<u32>(_e145) & 2147483647u);
-                    let _e152 = global_4.member[_e128].member_2[2u];
+                    let _e152 = global_4.member[_e135].member_2[1u];
                     let _e154 = (bitcast<u32>(_e152) & 2147483647u);
-                    let _e159 = global_4.member[_e128].member[0u];
+                    let _e159 = global_4.member[_e135].member_2[2u];
                     let _e161 = (bitcast<u32>(_e159) & 2147483647u);
-                    let _e166 = global_4.member[_e128].member[1u];
+                    let _e166 = global_4.member[_e135].member[0u];
                     let _e168 = (bitcast<u32>(_e166) & 2147483647u);
-                    let _e173 = global_4.member[_e128].member[2u];
+                    let _e173 = global_4.member[_e135].member[1u];
                     let _e175 = (bitcast<u32>(_e173) & 2147483647u);
-                    let _e177 = select(_e147, _e140, (_e147 < _e140));
-                    let _e179 = select(_e154, _e177, (_e154 < _e177));
-                    let _e181 = select(_e161, _e179, (_e161 < _e179));
-                    let _e183 = select(_e168, _e181, (_e168 < _e181));
-                    let _e185 = select(_e175, _e183, (_e175 < _e183));
-                    let _e189 = global_4.member[_e128].member_1;
-                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
-                    let _e198 = global_4.member[_e128].member_3;
-                    let _e204 = (((select(_e191, _e185, (_e191 < _e185)) < 2139095040u) && ((bitcast<u32>(_e198) & 2147483647u) <= 2139095040u)) && (_e179 > 0u));
-                    if _e204 {
-                        let _e207 = (bitcast<u32>(bitcast<f32>(_e179)) & 2147483647u);
-                        if (_e207 >= 8388608u) {
-                            phi_329_ = (bitcast<i32>((_e207 >> bitcast<u32>(23i))) - 127i);
+                    let _e180 = global_4.member[_e135].member[2u];
+                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
+                    let _e184 = select(_e154, _e147, (_e154 < _e147));
+                    let _e186 = select(_e161, _e184, (_e161 < _e184));
+                    let _e188 = select(_e168, _e186, (_e168 < _e186));
+                    let _e190 = select(_e175, _e188, (_e175 < _e188));
+                    let _e192 = select(_e182, _e190, (_e182 < _e190));
+                    let _e196 = global_4.member[_e135].member_1;
+                    let _e197 = bitcast<u32>(_e196);
+                    let _e198 = (_e197 & 2147483647u);
+                    let _e205 = global_4.member[_e135].member_3;
+                    let _e206 = bitcast<u32>(_e205);
+                    let _e207 = (_e206 & 2147483647u);
+                    let _e211 = (((select(_e198, _e192, (_e198 < _e192)) < 2139095040u) && (_e207 <= 2139095040u)) && (_e186 > 0u));
+                    if _e211 {
+                        let _e214 = (bitcast<u32>(bitcast<f32>(_e186)) & 2147483647u);
+                        if (_e214 >= 8388608u) {
+                            phi_412_ = (bitcast<i32>((_e214 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_329_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e207)), 32u, (_e207 == 0u))));
+                            phi_412_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e214)), 32u, (_e214 == 0u))));
                         }
-                        let _e221 = phi_329_;
-                        phi_330_ = _e221;
+                        let _e228 = phi_412_;
+                        phi_413_ = _e228;
                     } else {
-                        phi_330_ = 0i;
+                        phi_413_ = 0i;
                     }
-                    let _e223 = phi_330_;
-                    let _e224 = (_e140 == _e179);
-                    if _e224 {
-                        phi_340_ = true;
+                    let _e230 = phi_413_;
+                    let _e231 = (_e147 == _e186);
+                    if _e231 {
+                        phi_423_ = true;
                     } else {
-                        phi_340_ = (_e147 == _e179);
+                        phi_423_ = (_e154 == _e186);
                     }
-                    let _e227 = phi_340_;
-                    let _e228 = select(1u, 0u, _e224);
-                    if _e227 {
-                        let _e229 = (_e228 + 1u);
-                        phi_350_ = _e229;
-                        phi_351_ = _e229;
-                        phi_353_ = select(true, false, (_e229 == 2u));
+                    let _e234 = phi_423_;
+                    let _e235 = select(1u, 0u, _e231);
+                    if _e234 {
+                        let _e236 = (_e235 + 1u);
+                        phi_433_ = _e236;
+                        phi_434_ = _e236;
+                        phi_436_ = select(true, false, (_e236 == 2u));
                     } else {
-                        phi_350_ = u32();
-                        phi_351_ = 0u;
-                        phi_353_ = true;
+                        phi_433_ = u32();
+                        phi_434_ = 0u;
+                        phi_436_ = true;
                     }
-                    let _e233 = phi_350_;
-                    let _e235 = phi_351_;
-                    let _e237 = phi_353_;
-                    if _e237 {
-                        phi_358_ = (_e235 + 1u);
+                    let _e240 = phi_433_;
+                    let _e242 = phi_434_;
+                    let _e244 = phi_436_;
+                    if _e244 {
+                        phi_441_ = (_e242 + 1u);
                     } else {
-                        phi_358_ = 0u;
+                        phi_441_ = 0u;
                     }
-                    let _e241 = phi_358_;
-                    let _e242 = select(_e233, _e235, _e237);
-                    let _e243 = select(_e228, select(2u, _e228, _e227), _e237);
-                    if (_e118 < -126i) {
-                        phi_370_ = -126i;
+                    let _e248 = phi_441_;
+                    let _e249 = select(_e240, _e242, _e244);
+                    let _e250 = select(_e235, select(2u, _e235, _e234), _e244);
+                    if (_e125 < -126i) {
+                        phi_453_ = -126i;
                     } else {
-                        phi_370_ = select(_e118, 127i, (_e118 > 127i));
+                        phi_453_ = select(_e125, 127i, (_e125 > 127i));
                     }
-                    let _e248 = phi_370_;
-                    let _e253 = bitcast<f32>((bitcast<u32>((_e248 + 127i)) << bitcast<u32>(23i)));
-                    let _e259 = bitcast<f32>((bitcast<u32>(((_e118 - _e248) + 127i)) << bitcast<u32>(23i)));
-                    let _e260 = -(_e223);
-                    if (_e260 < -126i) {
-                        phi_390_ = -126i;
+                    let _e255 = phi_453_;
+                    let _e260 = bitcast<f32>((bitcast<u32>((_e255 + 127i)) << bitcast<u32>(23i)));
+                    let _e266 = bitcast<f32>((bitcast<u32>(((_e125 - _e255) + 127i)) << bitcast<u32>(23i)));
+                    let _e267 = -(_e230);
+                    if (_e267 < -126i) {
+                        phi_473_ = -126i;
                     } else {
-                        phi_390_ = select(_e260, 127i, (_e260 > 127i));
+                        phi_473_ = select(_e267, 127i, (_e267 > 127i));
                     }
-                    let _e265 = phi_390_;
-                    let _e270 = bitcast<f32>((bitcast<u32>((_e265 + 127i)) << bitcast<u32>(23i)));
-                    let _e276 = bitcast<f32>((bitcast<u32>(((_e260 - _e265) + 127i)) << bitcast<u32>(23i)));
-                    let _e280 = global_4.member[_e128].member;
-                    let _e281 = (_e242 == 0u);
-                    if _e281 {
-                        phi_408_ = _e280[0];
+                    let _e272 = phi_473_;
+                    let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
+                    let _e283 = bitcast<f32>((bitcast<u32>(((_e267 - _e272) + 127i)) << bitcast<u32>(23i)));
+                    let _e287 = global_4.member[_e135].member;
+                    let _e288 = (_e249 == 0u);
+                    if _e288 {
+                        phi_491_ = _e287[0];
                     } else {
-                        phi_408_ = _e280[1];
+                        phi_491_ = _e287[1];
                     }
-                    let _e285 = phi_408_;
-                    let _e286 = (_e242 == 2u);
-                    if _e286 {
-                        phi_414_ = _e280[2];
+                    let _e292 = phi_491_;
+                    let _e293 = (_e249 == 2u);
+                    if _e293 {
+                        phi_497_ = _e287[2];
                     } else {
-                        phi_414_ = _e285;
+                        phi_497_ = _e292;
                     }
-                    let _e289 = phi_414_;
-                    let _e291 = ((_e289 * _e253) * _e259);
-                    let _e292 = global_4.member[_e128].member_2;
-                    if _e281 {
-                        phi_425_ = _e292[0];
+                    let _e296 = phi_497_;
+                    let _e297 = bitcast<u32>(_e296);
+                    let _e299 = ((_e297 & 2139095040u) != 0u);
+                    let _e313 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e297 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e297 & 2147483648u))), _e296, _e299) * _e260) * select(0.00000011920929f, 1f, _e299)) * _e266);
+                    let _e314 = global_4.member[_e135].member_2;
+                    if _e288 {
+                        phi_537_ = _e314[0];
                     } else {
-                        phi_425_ = _e292[1];
+                        phi_537_ = _e314[1];
                     }
-                    let _e296 = phi_425_;
-                    if _e286 {
-                        phi_431_ = _e292[2];
+                    let _e318 = phi_537_;
+                    if _e293 {
+                        phi_543_ = _e314[2];
                     } else {
-                        phi_431_ = _e296;
+                        phi_543_ = _e318;
                     }
-                    let _e299 = phi_431_;
-                    let _e301 = ((_e299 * _e270) * _e276);
-                    let _e305 = (bitcast<f32>((bitcast<u32>(_e301) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e305 {
-                        let _e309 = (bitcast<f32>((bitcast<u32>(_e291) & 2147483647u)) * 0.00000011920929f);
-                        phi_454_ = select(0.00000000000011368684f, _e309, (_e309 > 0.00000000000011368684f));
+                    let _e321 = phi_543_;
+                    let _e322 = bitcast<u32>(_e321);
+                    let _e324 = ((_e322 & 2139095040u) != 0u);
+                    let _e338 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e322 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e322 & 2147483648u))), _e321, _e324) * _e277) * select(0.00000011920929f, 1f, _e324)) * _e283);
+                    let _e342 = (bitcast<f32>((bitcast<u32>(_e338) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e342 {
+                        let _e346 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
+                        phi_595_ = select(0.00000000000011368684f, _e346, (_e346 > 0.00000000000011368684f));
                     } else {
-                        phi_454_ = 0f;
+                        phi_595_ = 0f;
                     }
-                    let _e313 = phi_454_;
-                    let _e314 = (_e291 + _e313);
-                    let _e315 = (_e291 - _e313);
-                    let _e316 = select(_e301, 0f, _e305);
-                    if _e305 {
-                        phi_465_ = 38685626000000000000000000f;
+                    let _e350 = phi_595_;
+                    let _e351 = (_e313 + _e350);
+                    let _e352 = (_e313 - _e350);
+                    let _e353 = select(_e338, 0f, _e342);
+                    if _e342 {
+                        phi_606_ = 38685626000000000000000000f;
                     } else {
-                        phi_465_ = (1f / _e301);
+                        phi_606_ = (1f / _e338);
                     }
-                    let _e319 = phi_465_;
-                    let _e320 = (_e241 == 0u);
-                    if _e320 {
-                        phi_474_ = _e280[0];
+                    let _e356 = phi_606_;
+                    let _e357 = (_e248 == 0u);
+                    if _e357 {
+                        phi_615_ = _e287[0];
                     } else {
-                        phi_474_ = _e280[1];
+                        phi_615_ = _e287[1];
                     }
-                    let _e324 = phi_474_;
-                    let _e325 = (_e241 == 2u);
-                    if _e325 {
-                        phi_480_ = _e280[2];
+                    let _e361 = phi_615_;
+                    let _e362 = (_e248 == 2u);
+                    if _e362 {
+                        phi_621_ = _e287[2];
                     } else {
-                        phi_480_ = _e324;
+                        phi_621_ = _e361;
                     }
-                    let _e328 = phi_480_;
-                    let _e330 = ((_e328 * _e253) * _e259);
-                    if _e320 {
-                        phi_491_ = _e292[0];
+                    let _e365 = phi_621_;
+                    let _e366 = bitcast<u32>(_e365);
+                    let _e368 = ((_e366 & 2139095040u) != 0u);
+                    let _e382 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e366 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e366 & 2147483648u))), _e365, _e368) * _e260) * select(0.00000011920929f, 1f, _e368)) * _e266);
+                    if _e357 {
+                        phi_661_ = _e314[0];
                     } else {
-                        phi_491_ = _e292[1];
+                        phi_661_ = _e314[1];
                     }
-                    let _e334 = phi_491_;
-                    if _e325 {
-                        phi_497_ = _e292[2];
+                    let _e386 = phi_661_;
+                    if _e362 {
+                        phi_667_ = _e314[2];
                     } else {
-                        phi_497_ = _e334;
+                        phi_667_ = _e386;
                     }
-                    let _e337 = phi_497_;
-                    let _e339 = ((_e337 * _e270) * _e276);
-                    let _e343 = (bitcast<f32>((bitcast<u32>(_e339) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e343 {
-                        let _e347 = (bitcast<f32>((bitcast<u32>(_e330) & 2147483647u)) * 0.00000011920929f);
-                        phi_520_ = select(0.00000000000011368684f, _e347, (_e347 > 0.00000000000011368684f));
+                    let _e389 = phi_667_;
+                    let _e390 = bitcast<u32>(_e389);
+                    let _e392 = ((_e390 & 2139095040u) != 0u);
+                    let _e406 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e390 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e390 & 2147483648u))), _e389, _e392) * _e277) * select(0.00000011920929f, 1f, _e392)) * _e283);
+                    let _e410 = (bitcast<f32>((bitcast<u32>(_e406) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e410 {
+                        let _e414 = (bitcast<f32>((bitcast<u32>(_e382) & 2147483647u)) * 0.00000011920929f);
+                        phi_719_ = select(0.00000000000011368684f, _e414, (_e414 > 0.00000000000011368684f));
                     } else {
-                        phi_520_ = 0f;
+                        phi_719_ = 0f;
                     }
-                    let _e351 = phi_520_;
-                    let _e352 = (_e330 + _e351);
-                    let _e353 = (_e330 - _e351);
-                    let _e354 = select(_e339, 0f, _e343);
-                    if _e343 {
-                        phi_531_ = 38685626000000000000000000f;
+                    let _e418 = phi_719_;
+                    let _e419 = (_e382 + _e418);
+                    let _e420 = (_e382 - _e418);
+                    let _e421 = select(_e406, 0f, _e410);
+                    if _e410 {
+                        phi_730_ = 38685626000000000000000000f;
                     } else {
-                        phi_531_ = (1f / _e339);
+                        phi_730_ = (1f / _e406);
                     }
-                    let _e357 = phi_531_;
-                    let _e358 = (_e243 == 0u);
-                    if _e358 {
-                        phi_540_ = _e280[0];
+                    let _e424 = phi_730_;
+                    let _e425 = (_e250 == 0u);
+                    if _e425 {
+                        phi_739_ = _e287[0];
                     } else {
-                        phi_540_ = _e280[1];
+                        phi_739_ = _e287[1];
                     }
-                    let _e362 = phi_540_;
-                    let _e363 = (_e243 == 2u);
-                    if _e363 {
-                        phi_546_ = _e280[2];
+                    let _e429 = phi_739_;
+                    let _e430 = (_e250 == 2u);
+                    if _e430 {
+                        phi_745_ = _e287[2];
                     } else {
-                        phi_546_ = _e362;
+                        phi_745_ = _e429;
                     }
-                    let _e366 = phi_546_;
-                    let _e368 = ((_e366 * _e253) * _e259);
-                    if _e358 {
-                        phi_557_ = _e292[0];
+                    let _e433 = phi_745_;
+                    let _e434 = bitcast<u32>(_e433);
+                    let _e436 = ((_e434 & 2139095040u) != 0u);
+                    let _e450 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e434 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e434 & 2147483648u))), _e433, _e436) * _e260) * select(0.00000011920929f, 1f, _e436)) * _e266);
+                    if _e425 {
+                        phi_785_ = _e314[0];
                     } else {
-                        phi_557_ = _e292[1];
+                        phi_785_ = _e314[1];
                     }
-                    let _e372 = phi_557_;
-                    if _e363 {
-                        phi_563_ = _e292[2];
+                    let _e454 = phi_785_;
+                    if _e430 {
+                        phi_791_ = _e314[2];
                     } else {
-                        phi_563_ = _e372;
+                        phi_791_ = _e454;
                     }
-                    let _e375 = phi_563_;
-                    let _e377 = ((_e375 * _e270) * _e276);
-                    let _e381 = (bitcast<f32>((bitcast<u32>(_e377) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e381 {
-                        let _e385 = (bitcast<f32>((bitcast<u32>(_e368) & 2147483647u)) * 0.00000011920929f);
-                        phi_586_ = select(0.00000000000011368684f, _e385, (_e385 > 0.00000000000011368684f));
+                    let _e457 = phi_791_;
+                    let _e458 = bitcast<u32>(_e457);
+                    let _e460 = ((_e458 & 2139095040u) != 0u);
+                    let _e474 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e458 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e458 & 2147483648u))), _e457, _e460) * _e277) * select(0.00000011920929f, 1f, _e460)) * _e283);
+                    let _e478 = (bitcast<f32>((bitcast<u32>(_e474) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e478 {
+                        let _e482 = (bitcast<f32>((bitcast<u32>(_e450) & 2147483647u)) * 0.00000011920929f);
+                        phi_843_ = select(0.00000000000011368684f, _e482, (_e482 > 0.00000000000011368684f));
                     } else {
-                        phi_586_ = 0f;
+                        phi_843_ = 0f;
                     }
-                    let _e389 = phi_586_;
-                    let _e390 = (_e368 + _e389);
-                    let _e391 = (_e368 - _e389);
-                    let _e392 = select(_e377, 0f, _e381);
-                    if _e381 {
-                        phi_597_ = 38685626000000000000000000f;
+                    let _e486 = phi_843_;
+                    let _e487 = (_e450 + _e486);
+                    let _e488 = (_e450 - _e486);
+                    let _e489 = select(_e474, 0f, _e478);
+                    if _e478 {
+                        phi_854_ = 38685626000000000000000000f;
                     } else {
-                        phi_597_ = (1f / _e377);
+                        phi_854_ = (1f / _e474);
                     }
-                    let _e395 = phi_597_;
-                    let _e398 = bitcast<f32>((bitcast<u32>(_e291) & 2147483647u));
-                    let _e401 = bitcast<f32>((bitcast<u32>(_e330) & 2147483647u));
-                    let _e403 = select(_e401, _e398, (_e398 > _e401));
-                    let _e406 = bitcast<f32>((bitcast<u32>(_e368) & 2147483647u));
-                    let _e409 = (_e118 + _e223);
-                    if (_e204 && (select(_e406, _e403, (_e403 > _e406)) <= 1099511600000f)) {
-                        let _e412 = (_e409 / 3i);
-                        let _e419 = bitcast<f32>((bitcast<u32>((_e412 + 127i)) << bitcast<u32>(23i)));
-                        let _e426 = bitcast<f32>((bitcast<u32>(((_e409 - (2i * _e412)) + 127i)) << bitcast<u32>(23i)));
-                        let _e427 = (((_e189 * _e419) * _e419) * _e426);
-                        let _e429 = select(340282350000000000000000000000000000000f, _e427, (_e427 < 340282350000000000000000000000000000000f));
-                        let _e434 = (((_e198 * _e419) * _e419) * _e426);
-                        let _e436 = select(340282350000000000000000000000000000000f, _e434, (_e434 < 340282350000000000000000000000000000000f));
-                        phi_697_ = select(-340282350000000000000000000000000000000f, _e436, (_e436 > -340282350000000000000000000000000000000f));
-                        phi_698_ = select(-340282350000000000000000000000000000000f, _e429, (_e429 > -340282350000000000000000000000000000000f));
+                    let _e492 = phi_854_;
+                    let _e495 = bitcast<f32>((bitcast<u32>(_e313) & 2147483647u));
+                    let _e498 = bitcast<f32>((bitcast<u32>(_e382) & 2147483647u));
+                    let _e500 = select(_e498, _e495, (_e495 > _e498));
+                    let _e503 = bitcast<f32>((bitcast<u32>(_e450) & 2147483647u));
+                    let _e506 = (_e125 + _e230);
+                    if (_e211 && (select(_e503, _e500, (_e500 > _e503)) <= 1099511600000f)) {
+                        let _e516 = ((_e198 & 8388607u) | (select(0u, 1u, ((_e198 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e519 = bitcast<i32>((_e198 >> bitcast<u32>(23i)));
+                        let _e523 = (_e516 == 0u);
+                        let _e526 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e516)), 32u, _e523)) - 8i);
+                        if (_e519 == 255i) {
+                            phi_909_ = 255i;
+                        } else {
+                            phi_909_ = (((_e519 + select(0i, 1i, (_e519 == 0i))) - _e526) + _e506);
+                        }
+                        let _e534 = phi_909_;
+                        let _e544 = (_e534 <= 0i);
+                        if _e544 {
+                            phi_932_ = u32();
+                        } else {
+                            if _e523 {
+                                phi_931_ = u32();
+                            } else {
+                                phi_931_ = select(((bitcast<u32>(_e534) << bitcast<u32>(23i)) | ((_e516 << bitcast<u32>(((_e526 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e534 >= 255i));
+                            }
+                            let _e548 = phi_931_;
+                            phi_932_ = _e548;
+                        }
+                        let _e550 = phi_932_;
+                        let _e562 = ((_e207 & 8388607u) | (select(0u, 1u, ((_e207 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e565 = bitcast<i32>((_e207 >> bitcast<u32>(23i)));
+                        let _e569 = (_e562 == 0u);
+                        let _e572 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e562)), 32u, _e569)) - 8i);
+                        if (_e565 == 255i) {
+                            phi_969_ = 255i;
+                        } else {
+                            phi_969_ = (((_e565 + select(0i, 1i, (_e565 == 0i))) - _e572) + _e506);
+                        }
+                        let _e580 = phi_969_;
+                        let _e590 = (_e580 <= 0i);
+                        if _e590 {
+                            phi_992_ = u32();
+                        } else {
+                            if _e569 {
+                                phi_991_ = u32();
+                            } else {
+                                phi_991_ = select(((bitcast<u32>(_e580) << bitcast<u32>(23i)) | ((_e562 << bitcast<u32>(((_e572 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e580 >= 255i));
+                            }
+                            let _e594 = phi_991_;
+                            phi_992_ = _e594;
+                        }
+                        let _e596 = phi_992_;
+                        phi_1000_ = bitcast<f32>(((_e206 & 2147483648u) | select(_e596, 0u, select(_e569, true, _e590))));
+                        phi_1001_ = bitcast<f32>(((_e197 & 2147483648u) | select(_e550, 0u, select(_e523, true, _e544))));
                     } else {
-                        phi_697_ = 0f;
-                        phi_698_ = 1f;
+                        phi_1000_ = 0f;
+                        phi_1001_ = 1f;
                     }
-                    let _e440 = phi_697_;
-                    let _e442 = phi_698_;
+                    let _e602 = phi_1000_;
+                    let _e604 = phi_1001_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -489,876 +566,975 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e90), bitcast<f32>(_e94), bitcast<f32>(_e98));
-                    let _e447 = (_e242 % 3u);
-                    let _e448 = (_e447 < 3u);
-                    if _e448 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e97), bitcast<f32>(_e101), bitcast<f32>(_e105));
+                    let _e609 = (_e249 % 3u);
+                    let _e610 = (_e609 < 3u);
+                    if _e610 {
                     } else {
                         break;
                     }
-                    let _e450 = local_9[_e447];
-                    let _e451 = (_e241 % 3u);
-                    let _e452 = (_e451 < 3u);
-                    if _e452 {
+                    let _e612 = local_9[_e609];
+                    let _e613 = (_e248 % 3u);
+                    let _e614 = (_e613 < 3u);
+                    if _e614 {
                     } else {
                         break;
                     }
-                    let _e454 = local_9[_e451];
-                    let _e455 = (_e243 % 3u);
-                    let _e456 = (_e455 < 3u);
-                    if _e456 {
+                    let _e616 = local_9[_e613];
+                    let _e617 = (_e250 % 3u);
+                    let _e618 = (_e617 < 3u);
+                    if _e618 {
                     } else {
                         break;
                     }
-                    let _e458 = local_9[_e455];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e102), bitcast<f32>(_e106), bitcast<f32>(_e110));
-                    if _e448 {
+                    let _e620 = local_9[_e617];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e109), bitcast<f32>(_e113), bitcast<f32>(_e117));
+                    if _e610 {
                     } else {
                         break;
                     }
-                    let _e462 = local_8[_e447];
-                    if _e452 {
+                    let _e624 = local_8[_e609];
+                    if _e614 {
                     } else {
                         break;
                     }
-                    let _e464 = local_8[_e451];
-                    if _e456 {
+                    let _e626 = local_8[_e613];
+                    if _e618 {
                     } else {
                         break;
                     }
-                    let _e466 = local_8[_e455];
-                    phi_2974_ = false;
-                    phi_771_ = type_33(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e440);
-                    phi_774_ = type_49(type_47(array<f32, 3>(_e450, _e454, _e458), array<f32, 3>(_e462, _e464, _e466)), select(0u, 2147483648u, (_e80 == 0u)));
-                    phi_776_ = ((3u * _e80) + 1u);
-                    phi_778_ = (_e442 <= _e440);
-                    phi_780_ = 0u;
+                    let _e628 = local_8[_e617];
+                    phi_3399_ = false;
+                    phi_1074_ = type_33(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e602);
+                    phi_1077_ = type_49(type_47(array<f32, 3>(_e612, _e616, _e620), array<f32, 3>(_e624, _e626, _e628)), select(0u, 2147483648u, (_e87 == 0u)));
+                    phi_1079_ = ((3u * _e87) + 1u);
+                    phi_1081_ = (_e604 <= _e602);
+                    phi_1083_ = 0u;
                     loop {
-                        let _e474 = phi_2974_;
-                        let _e476 = phi_771_;
-                        let _e478 = phi_774_;
-                        let _e480 = phi_776_;
-                        let _e482 = phi_778_;
-                        let _e484 = phi_780_;
-                        local_10 = _e476;
-                        if _e482 {
-                            phi_791_ = true;
+                        let _e636 = phi_3399_;
+                        let _e638 = phi_1074_;
+                        let _e640 = phi_1077_;
+                        let _e642 = phi_1079_;
+                        let _e644 = phi_1081_;
+                        let _e646 = phi_1083_;
+                        local_10 = _e638;
+                        if _e644 {
+                            phi_1094_ = true;
                         } else {
-                            phi_791_ = (_e484 > 0u);
+                            phi_1094_ = (_e646 > 0u);
                         }
-                        let _e487 = phi_791_;
-                        if _e487 {
-                            let _e488 = (_e480 > 0u);
-                            if _e488 {
-                                if _e482 {
-                                    phi_877_ = _e478;
-                                    phi_878_ = _e482;
-                                    phi_879_ = _e484;
+                        let _e649 = phi_1094_;
+                        if _e649 {
+                            let _e650 = (_e642 > 0u);
+                            if _e650 {
+                                if _e644 {
+                                    phi_1180_ = _e640;
+                                    phi_1181_ = _e644;
+                                    phi_1182_ = _e646;
                                 } else {
-                                    let _e489 = (_e484 - 1u);
-                                    let _e490 = (_e489 % 128u);
-                                    let _e491 = (_e490 < 128u);
-                                    if _e491 {
+                                    let _e651 = (_e646 - 1u);
+                                    let _e652 = (_e651 % 128u);
+                                    let _e653 = (_e652 < 128u);
+                                    if _e653 {
                                     } else {
-                                        phi_3110_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e493 = local_6[_e490];
-                                    if _e491 {
+                                    let _e655 = local_6[_e652];
+                                    if _e653 {
                                     } else {
-                                        phi_3110_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e495 = local_5[_e490];
-                                    if _e491 {
+                                    let _e657 = local_5[_e652];
+                                    if _e653 {
                                     } else {
-                                        phi_3110_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e497 = local_4[_e490];
-                                    if _e491 {
+                                    let _e659 = local_4[_e652];
+                                    if _e653 {
                                     } else {
-                                        phi_3110_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e499 = local_3[_e490];
-                                    if _e491 {
+                                    let _e661 = local_3[_e652];
+                                    if _e653 {
                                     } else {
-                                        phi_3110_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e502 = local_2[_e490];
-                                    if _e491 {
+                                    let _e664 = local_2[_e652];
+                                    if _e653 {
                                     } else {
-                                        phi_3110_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e504 = local_1[_e490];
-                                    if _e491 {
+                                    let _e666 = local_1[_e652];
+                                    if _e653 {
                                     } else {
-                                        phi_3110_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e506 = local[_e490];
-                                    if _e491 {
+                                    let _e668 = local[_e652];
+                                    if _e653 {
                                     } else {
-                                        phi_3110_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e511 = local_7[_e490];
-                                    phi_877_ = type_49(type_47(array<f32, 3>(_e495, _e497, _e499), array<f32, 3>(_e502, _e504, _e506)), _e493);
-                                    phi_878_ = (_e511 <= _e476.member_1);
-                                    phi_879_ = _e489;
+                                    let _e673 = local_7[_e652];
+                                    phi_1180_ = type_49(type_47(array<f32, 3>(_e657, _e659, _e661), array<f32, 3>(_e664, _e666, _e668)), _e655);
+                                    phi_1181_ = (_e673 <= _e638.member_1);
+                                    phi_1182_ = _e651;
                                 }
-                                let _e515 = phi_877_;
-                                let _e517 = phi_878_;
-                                let _e519 = phi_879_;
-                                if _e517 {
-                                    if ((_e515.member_1 & 2147483648u) != 0u) {
-                                        phi_897_ = _e476;
-                                        phi_900_ = type_4(0u, ((_e515.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e677 = phi_1180_;
+                                let _e679 = phi_1181_;
+                                let _e681 = phi_1182_;
+                                if _e679 {
+                                    if ((_e677.member_1 & 2147483648u) != 0u) {
+                                        phi_1200_ = _e638;
+                                        phi_1203_ = type_4(0u, ((_e677.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e871 = phi_897_;
-                                            let _e873 = phi_900_;
-                                            local_11 = _e871;
-                                            if (_e873.member < _e873.member_1) {
-                                                phi_901_ = type_4((_e873.member + 1u), _e873.member_1);
-                                                phi_923_ = type_4(1u, _e873.member);
+                                            let _e1057 = phi_1200_;
+                                            let _e1059 = phi_1203_;
+                                            local_11 = _e1057;
+                                            if (_e1059.member < _e1059.member_1) {
+                                                phi_1204_ = type_4((_e1059.member + 1u), _e1059.member_1);
+                                                phi_1226_ = type_4(1u, _e1059.member);
                                             } else {
-                                                phi_901_ = _e873;
-                                                phi_923_ = type_4(0u, type_4().member_1);
+                                                phi_1204_ = _e1059;
+                                                phi_1226_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e886 = phi_901_;
-                                            let _e888 = phi_923_;
-                                            let _e892 = (bitcast<i32>(_e888.member) != 0i);
-                                            if _e892 {
-                                                let _e893 = ((_e515.member_1 & 268435455u) + _e888.member_1);
-                                                let _e894 = (_e893 < _e82);
-                                                if _e894 {
-                                                    if _e894 {
+                                            let _e1072 = phi_1204_;
+                                            let _e1074 = phi_1226_;
+                                            let _e1078 = (bitcast<i32>(_e1074.member) != 0i);
+                                            if _e1078 {
+                                                let _e1079 = ((_e677.member_1 & 268435455u) + _e1074.member_1);
+                                                let _e1080 = (_e1079 < _e89);
+                                                if _e1080 {
+                                                    if _e1080 {
                                                     } else {
-                                                        phi_2968_ = true;
+                                                        phi_3393_ = true;
                                                         break;
                                                     }
-                                                    let _e898 = global_2.member[_e893].member_1;
-                                                    phi_944_ = _e898;
+                                                    let _e1084 = global_2.member[_e1079].member_1;
+                                                    phi_1247_ = _e1084;
                                                 } else {
-                                                    phi_944_ = 4294967295u;
+                                                    phi_1247_ = 4294967295u;
                                                 }
-                                                let _e900 = phi_944_;
-                                                if (_e893 >= _e82) {
-                                                    phi_1033_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1086 = phi_1247_;
+                                                if (_e1079 >= _e89) {
+                                                    phi_1336_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e894 {
+                                                    if _e1080 {
                                                     } else {
-                                                        phi_2968_ = true;
+                                                        phi_3393_ = true;
                                                         break;
                                                     }
-                                                    if (_e447 < 9u) {
+                                                    if (_e609 < 9u) {
                                                     } else {
-                                                        phi_2968_ = true;
+                                                        phi_3393_ = true;
                                                         break;
                                                     }
-                                                    let _e907 = global_2.member[_e893].member[_e447];
-                                                    if (_e451 < 9u) {
+                                                    let _e1093 = global_2.member[_e1079].member[_e609];
+                                                    if (_e613 < 9u) {
                                                     } else {
-                                                        phi_2968_ = true;
+                                                        phi_3393_ = true;
                                                         break;
                                                     }
-                                                    let _e913 = global_2.member[_e893].member[_e451];
-                                                    if (_e455 < 9u) {
+                                                    let _e1099 = global_2.member[_e1079].member[_e613];
+                                                    if (_e617 < 9u) {
                                                     } else {
-                                                        phi_2968_ = true;
+                                                        phi_3393_ = true;
                                                         break;
                                                     }
-                                                    let _e919 = global_2.member[_e893].member[_e455];
-                                                    let _e921 = (3u + _e447);
-                                                    if (_e921 < 9u) {
+                                                    let _e1105 = global_2.member[_e1079].member[_e617];
+                                                    let _e1107 = (3u + _e609);
+                                                    if (_e1107 < 9u) {
                                                     } else {
-                                                        phi_2968_ = true;
+                                                        phi_3393_ = true;
                                                         break;
                                                     }
-                                                    let _e927 = global_2.member[_e893].member[_e921];
-                                                    let _e928 = (3u + _e451);
-                                                    if (_e928 < 9u) {
+                                                    let _e1113 = global_2.member[_e1079].member[_e1107];
+                                                    let _e1114 = (3u + _e613);
+                                                    if (_e1114 < 9u) {
                                                     } else {
-                                                        phi_2968_ = true;
+                                                        phi_3393_ = true;
                                                         break;
                                                     }
-                                                    let _e934 = global_2.member[_e893].member[_e928];
-                                                    let _e935 = (3u + _e455);
-                                                    if (_e935 < 9u) {
+                                                    let _e1120 = global_2.member[_e1079].member[_e1114];
+                                                    let _e1121 = (3u + _e617);
+                                                    if (_e1121 < 9u) {
                                                     } else {
-                                                        phi_2968_ = true;
+                                                        phi_3393_ = true;
                                                         break;
                                                     }
-                                                    let _e941 = global_2.member[_e893].member[_e935];
-                                                    let _e943 = (6u + _e447);
-                                                    if (_e943 < 9u) {
+                                                    let _e1127 = global_2.member[_e1079].member[_e1121];
+                                                    let _e1129 = (6u + _e609);
+                                                    if (_e1129 < 9u) {
                                                     } else {
-                                                        phi_2968_ = true;
+                                                        phi_3393_ = true;
                                                         break;
                                                     }
-                                                    let _e949 = global_2.member[_e893].member[_e943];
-                                                    let _e950 = (6u + _e451);
-                                                    if (_e950 < 9u) {
+                                                    let _e1135 = global_2.member[_e1079].member[_e1129];
+                                                    let _e1136 = (6u + _e613);
+                                                    if (_e1136 < 9u) {
                                                     } else {
-                                                        phi_2968_ = true;
+                                                        phi_3393_ = true;
                                                         break;
                                                     }
-                                                    let _e956 = global_2.member[_e893].member[_e950];
-                                                    let _e957 = (6u + _e455);
-                                                    if (_e957 < 9u) {
+                                                    let _e1142 = global_2.member[_e1079].member[_e1136];
+                                                    let _e1143 = (6u + _e617);
+                                                    if (_e1143 < 9u) {
                                                     } else {
-                                                        phi_2968_ = true;
+                                                        phi_3393_ = true;
                                                         break;
                                                     }
-                                                    let _e963 = global_2.member[_e893].member[_e957];
-                                                    phi_1033_ = array<array<f32, 3>, 3>(array<f32, 3>(_e907, _e913, _e919), array<f32, 3>(_e927, _e934, _e941), array<f32, 3>(_e949, _e956, _e963));
+                                                    let _e1149 = global_2.member[_e1079].member[_e1143];
+                                                    phi_1336_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1093, _e1099, _e1105), array<f32, 3>(_e1113, _e1120, _e1127), array<f32, 3>(_e1135, _e1142, _e1149));
                                                 }
-                                                let _e967 = phi_1033_;
-                                                let _e975 = (_e967[0][2] - _e368);
-                                                let _e978 = (((_e967[0][0] - _e291) * _e392) - (_e975 * _e316));
-                                                let _e981 = (((_e967[0][1] - _e330) * _e392) - (_e975 * _e354));
-                                                let _e988 = (_e967[1][2] - _e368);
-                                                let _e991 = (((_e967[1][0] - _e291) * _e392) - (_e988 * _e316));
-                                                let _e994 = (((_e967[1][1] - _e330) * _e392) - (_e988 * _e354));
-                                                let _e1001 = (_e967[2][2] - _e368);
-                                                let _e1004 = (((_e967[2][0] - _e291) * _e392) - (_e1001 * _e316));
-                                                let _e1007 = (((_e967[2][1] - _e330) * _e392) - (_e1001 * _e354));
-                                                let _e1008 = (_e1004 * _e994);
-                                                let _e1009 = (_e1007 * _e991);
-                                                let _e1010 = (_e978 * _e1007);
-                                                let _e1011 = (_e981 * _e1004);
-                                                let _e1012 = (_e991 * _e981);
-                                                let _e1013 = (_e994 * _e978);
-                                                let _e1018 = (((_e1008 >= _e1009) && (_e1010 >= _e1011)) && (_e1012 >= _e1013));
-                                                if (_e1018 || (((_e1008 <= _e1009) && (_e1010 <= _e1011)) && (_e1012 <= _e1013))) {
-                                                    let _e1025 = select(-1f, 1f, _e1018);
-                                                    let _e1027 = ((_e1008 - _e1009) * _e1025);
-                                                    let _e1029 = select(0f, _e1027, (_e1027 > 0f));
-                                                    let _e1031 = ((_e1010 - _e1011) * _e1025);
-                                                    let _e1033 = select(0f, _e1031, (_e1031 > 0f));
-                                                    let _e1035 = ((_e1012 - _e1013) * _e1025);
-                                                    let _e1037 = select(0f, _e1035, (_e1035 > 0f));
-                                                    let _e1039 = ((_e1029 + _e1033) + _e1037);
-                                                    if (_e1039 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1858_ = type_22();
-                                                        phi_1859_ = true;
-                                                        phi_1860_ = false;
+                                                let _e1153 = phi_1336_;
+                                                let _e1161 = (_e1153[0][2] - _e450);
+                                                let _e1164 = (((_e1153[0][0] - _e313) * _e489) - (_e1161 * _e353));
+                                                let _e1167 = (((_e1153[0][1] - _e382) * _e489) - (_e1161 * _e421));
+                                                let _e1174 = (_e1153[1][2] - _e450);
+                                                let _e1177 = (((_e1153[1][0] - _e313) * _e489) - (_e1174 * _e353));
+                                                let _e1180 = (((_e1153[1][1] - _e382) * _e489) - (_e1174 * _e421));
+                                                let _e1187 = (_e1153[2][2] - _e450);
+                                                let _e1190 = (((_e1153[2][0] - _e313) * _e489) - (_e1187 * _e353));
+                                                let _e1193 = (((_e1153[2][1] - _e382) * _e489) - (_e1187 * _e421));
+                                                let _e1194 = (_e1190 * _e1180);
+                                                let _e1195 = (_e1193 * _e1177);
+                                                let _e1196 = (_e1164 * _e1193);
+                                                let _e1197 = (_e1167 * _e1190);
+                                                let _e1198 = (_e1177 * _e1167);
+                                                let _e1199 = (_e1180 * _e1164);
+                                                let _e1204 = (((_e1194 >= _e1195) && (_e1196 >= _e1197)) && (_e1198 >= _e1199));
+                                                if (_e1204 || (((_e1194 <= _e1195) && (_e1196 <= _e1197)) && (_e1198 <= _e1199))) {
+                                                    let _e1211 = select(-1f, 1f, _e1204);
+                                                    let _e1213 = ((_e1194 - _e1195) * _e1211);
+                                                    let _e1215 = select(0f, _e1213, (_e1213 > 0f));
+                                                    let _e1217 = ((_e1196 - _e1197) * _e1211);
+                                                    let _e1219 = select(0f, _e1217, (_e1217 > 0f));
+                                                    let _e1221 = ((_e1198 - _e1199) * _e1211);
+                                                    let _e1223 = select(0f, _e1221, (_e1221 > 0f));
+                                                    let _e1225 = ((_e1215 + _e1219) + _e1223);
+                                                    if (_e1225 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2161_ = type_22();
+                                                        phi_2162_ = true;
+                                                        phi_2163_ = false;
                                                     } else {
-                                                        let _e1042 = select(_e991, _e978, (_e978 < _e991));
-                                                        if (select(_e1004, _e1042, (_e1042 < _e1004)) > 0f) {
-                                                            phi_1150_ = true;
+                                                        let _e1228 = select(_e1177, _e1164, (_e1164 < _e1177));
+                                                        if (select(_e1190, _e1228, (_e1228 < _e1190)) > 0f) {
+                                                            phi_1453_ = true;
                                                         } else {
-                                                            let _e1047 = select(_e991, _e978, (_e978 > _e991));
-                                                            phi_1150_ = (select(_e1004, _e1047, (_e1047 > _e1004)) < 0f);
+                                                            let _e1233 = select(_e1177, _e1164, (_e1164 > _e1177));
+                                                            phi_1453_ = (select(_e1190, _e1233, (_e1233 > _e1190)) < 0f);
                                                         }
-                                                        let _e1052 = phi_1150_;
-                                                        if _e1052 {
-                                                            phi_1855_ = type_22();
-                                                            phi_1856_ = true;
-                                                            phi_1857_ = false;
+                                                        let _e1238 = phi_1453_;
+                                                        if _e1238 {
+                                                            phi_2158_ = type_22();
+                                                            phi_2159_ = true;
+                                                            phi_2160_ = false;
                                                         } else {
-                                                            let _e1054 = select(_e994, _e981, (_e981 < _e994));
-                                                            if (select(_e1007, _e1054, (_e1054 < _e1007)) > 0f) {
-                                                                phi_1179_ = true;
+                                                            let _e1240 = select(_e1180, _e1167, (_e1167 < _e1180));
+                                                            if (select(_e1193, _e1240, (_e1240 < _e1193)) > 0f) {
+                                                                phi_1482_ = true;
                                                             } else {
-                                                                let _e1059 = select(_e994, _e981, (_e981 > _e994));
-                                                                phi_1179_ = (select(_e1007, _e1059, (_e1059 > _e1007)) < 0f);
+                                                                let _e1245 = select(_e1180, _e1167, (_e1167 > _e1180));
+                                                                phi_1482_ = (select(_e1193, _e1245, (_e1245 > _e1193)) < 0f);
                                                             }
-                                                            let _e1064 = phi_1179_;
-                                                            if _e1064 {
-                                                                phi_1853_ = type_22();
-                                                                phi_1854_ = false;
+                                                            let _e1250 = phi_1482_;
+                                                            if _e1250 {
+                                                                phi_2156_ = type_22();
+                                                                phi_2157_ = false;
                                                             } else {
-                                                                let _e1066 = select(_e967[1][0], _e967[0][0], (_e967[0][0] < _e967[1][0]));
-                                                                let _e1070 = select(_e967[1][0], _e967[0][0], (_e967[0][0] > _e967[1][0]));
-                                                                let _e1074 = select(_e967[1][1], _e967[0][1], (_e967[0][1] < _e967[1][1]));
-                                                                let _e1078 = select(_e967[1][1], _e967[0][1], (_e967[0][1] > _e967[1][1]));
-                                                                let _e1082 = select(_e967[1][2], _e967[0][2], (_e967[0][2] < _e967[1][2]));
-                                                                let _e1086 = select(_e967[1][2], _e967[0][2], (_e967[0][2] > _e967[1][2]));
-                                                                let _e1091 = ((select(_e967[2][0], _e1066, (_e1066 < _e967[2][0])) - _e314) * _e319);
-                                                                let _e1092 = ((select(_e967[2][0], _e1070, (_e1070 > _e967[2][0])) - _e315) * _e319);
-                                                                let _e1095 = ((select(_e967[2][1], _e1074, (_e1074 < _e967[2][1])) - _e352) * _e357);
-                                                                let _e1096 = ((select(_e967[2][1], _e1078, (_e1078 > _e967[2][1])) - _e353) * _e357);
-                                                                let _e1099 = ((select(_e967[2][2], _e1082, (_e1082 < _e967[2][2])) - _e390) * _e395);
-                                                                let _e1100 = ((select(_e967[2][2], _e1086, (_e1086 > _e967[2][2])) - _e391) * _e395);
-                                                                let _e1102 = select(_e1100, _e1099, (_e1099 < _e1100));
-                                                                let _e1104 = select(_e1100, _e1099, (_e1099 > _e1100));
-                                                                let _e1106 = select(_e1092, _e1091, (_e1091 < _e1092));
-                                                                let _e1108 = select(_e1096, _e1095, (_e1095 < _e1096));
-                                                                let _e1110 = select(_e1108, _e1106, (_e1106 > _e1108));
-                                                                let _e1112 = select(_e1102, _e1110, (_e1110 > _e1102));
-                                                                let _e1114 = select(_e1092, _e1091, (_e1091 > _e1092));
-                                                                let _e1116 = select(_e1096, _e1095, (_e1095 > _e1096));
-                                                                let _e1118 = select(_e1116, _e1114, (_e1114 < _e1116));
-                                                                let _e1120 = select(_e1104, _e1118, (_e1118 < _e1104));
-                                                                let _e1121 = -(_e1102);
-                                                                let _e1127 = select(_e442, _e1112, (_e1112 > _e442));
-                                                                if (_e1127 > (_e1120 + (select(_e1121, _e1104, (_e1104 > _e1121)) * 0.0000019073523f))) {
-                                                                    phi_1848_ = type_22();
-                                                                    phi_1849_ = true;
+                                                                let _e1252 = select(_e1153[1][0], _e1153[0][0], (_e1153[0][0] < _e1153[1][0]));
+                                                                let _e1256 = select(_e1153[1][0], _e1153[0][0], (_e1153[0][0] > _e1153[1][0]));
+                                                                let _e1260 = select(_e1153[1][1], _e1153[0][1], (_e1153[0][1] < _e1153[1][1]));
+                                                                let _e1264 = select(_e1153[1][1], _e1153[0][1], (_e1153[0][1] > _e1153[1][1]));
+                                                                let _e1268 = select(_e1153[1][2], _e1153[0][2], (_e1153[0][2] < _e1153[1][2]));
+                                                                let _e1272 = select(_e1153[1][2], _e1153[0][2], (_e1153[0][2] > _e1153[1][2]));
+                                                                let _e1277 = ((select(_e1153[2][0], _e1252, (_e1252 < _e1153[2][0])) - _e351) * _e356);
+                                                                let _e1278 = ((select(_e1153[2][0], _e1256, (_e1256 > _e1153[2][0])) - _e352) * _e356);
+                                                                let _e1281 = ((select(_e1153[2][1], _e1260, (_e1260 < _e1153[2][1])) - _e419) * _e424);
+                                                                let _e1282 = ((select(_e1153[2][1], _e1264, (_e1264 > _e1153[2][1])) - _e420) * _e424);
+                                                                let _e1285 = ((select(_e1153[2][2], _e1268, (_e1268 < _e1153[2][2])) - _e487) * _e492);
+                                                                let _e1286 = ((select(_e1153[2][2], _e1272, (_e1272 > _e1153[2][2])) - _e488) * _e492);
+                                                                let _e1288 = select(_e1286, _e1285, (_e1285 < _e1286));
+                                                                let _e1290 = select(_e1286, _e1285, (_e1285 > _e1286));
+                                                                let _e1292 = select(_e1278, _e1277, (_e1277 < _e1278));
+                                                                let _e1294 = select(_e1282, _e1281, (_e1281 < _e1282));
+                                                                let _e1296 = select(_e1294, _e1292, (_e1292 > _e1294));
+                                                                let _e1298 = select(_e1288, _e1296, (_e1296 > _e1288));
+                                                                let _e1300 = select(_e1278, _e1277, (_e1277 > _e1278));
+                                                                let _e1302 = select(_e1282, _e1281, (_e1281 > _e1282));
+                                                                let _e1304 = select(_e1302, _e1300, (_e1300 < _e1302));
+                                                                let _e1306 = select(_e1290, _e1304, (_e1304 < _e1290));
+                                                                let _e1307 = -(_e1288);
+                                                                let _e1313 = select(_e604, _e1298, (_e1298 > _e604));
+                                                                if (_e1313 > (_e1306 + (select(_e1307, _e1290, (_e1290 > _e1307)) * 0.0000019073523f))) {
+                                                                    phi_2151_ = type_22();
+                                                                    phi_2152_ = true;
                                                                 } else {
-                                                                    let _e1129 = (_e1127 > _e871.member_1);
-                                                                    if _e1129 {
-                                                                        phi_1847_ = type_22();
+                                                                    let _e1315 = (_e1313 > _e1057.member_1);
+                                                                    if _e1315 {
+                                                                        phi_2150_ = type_22();
                                                                     } else {
-                                                                        let _e1130 = vec3<f32>(_e967[0][0], _e967[0][1], _e967[0][2]);
-                                                                        let _e1131 = vec3<f32>(_e967[1][0], _e967[1][1], _e967[1][2]);
-                                                                        let _e1132 = vec3<f32>(_e967[2][0], _e967[2][1], _e967[2][2]);
-                                                                        let _e1133 = (_e967[1][0] - _e967[0][0]);
-                                                                        let _e1134 = (_e967[1][1] - _e967[0][1]);
-                                                                        let _e1135 = (_e967[1][2] - _e967[0][2]);
-                                                                        let _e1136 = vec3<f32>(_e1133, _e1134, _e1135);
-                                                                        let _e1137 = (_e967[2][0] - _e967[1][0]);
-                                                                        let _e1138 = (_e967[2][1] - _e967[1][1]);
-                                                                        let _e1139 = (_e967[2][2] - _e967[1][2]);
-                                                                        let _e1140 = vec3<f32>(_e1137, _e1138, _e1139);
-                                                                        let _e1141 = (_e967[0][0] - _e967[2][0]);
-                                                                        let _e1142 = (_e967[0][1] - _e967[2][1]);
-                                                                        let _e1143 = (_e967[0][2] - _e967[2][2]);
-                                                                        let _e1144 = vec3<f32>(_e1141, _e1142, _e1143);
-                                                                        let _e1147 = bitcast<f32>((bitcast<u32>(_e1133) & 2147483647u));
-                                                                        let _e1150 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
-                                                                        let _e1152 = select(_e1150, _e1147, (_e1147 > _e1150));
-                                                                        let _e1155 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
-                                                                        let _e1157 = select(_e1155, _e1152, (_e1152 > _e1155));
-                                                                        let _e1160 = bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u));
-                                                                        let _e1163 = bitcast<f32>((bitcast<u32>(_e1138) & 2147483647u));
-                                                                        let _e1165 = select(_e1163, _e1160, (_e1160 > _e1163));
-                                                                        let _e1168 = bitcast<f32>((bitcast<u32>(_e1139) & 2147483647u));
-                                                                        let _e1170 = select(_e1168, _e1165, (_e1165 > _e1168));
-                                                                        let _e1173 = bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u));
-                                                                        let _e1176 = bitcast<f32>((bitcast<u32>(_e1142) & 2147483647u));
-                                                                        let _e1178 = select(_e1176, _e1173, (_e1173 > _e1176));
-                                                                        let _e1181 = bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u));
-                                                                        let _e1183 = select(_e1181, _e1178, (_e1178 > _e1181));
-                                                                        let _e1185 = select(_e1170, _e1157, (_e1157 > _e1170));
-                                                                        let _e1187 = select(_e1183, _e1185, (_e1185 > _e1183));
-                                                                        if (_e1157 == _e1187) {
-                                                                            phi_1580_ = _e994;
-                                                                            phi_1581_ = _e991;
-                                                                            phi_1582_ = _e981;
-                                                                            phi_1583_ = _e978;
-                                                                            phi_1584_ = _e1130;
-                                                                            phi_1585_ = _e1144;
-                                                                            phi_1586_ = _e1140;
-                                                                            phi_1587_ = _e1136;
+                                                                        let _e1316 = vec3<f32>(_e1153[0][0], _e1153[0][1], _e1153[0][2]);
+                                                                        let _e1317 = vec3<f32>(_e1153[1][0], _e1153[1][1], _e1153[1][2]);
+                                                                        let _e1318 = vec3<f32>(_e1153[2][0], _e1153[2][1], _e1153[2][2]);
+                                                                        let _e1319 = (_e1153[1][0] - _e1153[0][0]);
+                                                                        let _e1320 = (_e1153[1][1] - _e1153[0][1]);
+                                                                        let _e1321 = (_e1153[1][2] - _e1153[0][2]);
+                                                                        let _e1322 = vec3<f32>(_e1319, _e1320, _e1321);
+                                                                        let _e1323 = (_e1153[2][0] - _e1153[1][0]);
+                                                                        let _e1324 = (_e1153[2][1] - _e1153[1][1]);
+                                                                        let _e1325 = (_e1153[2][2] - _e1153[1][2]);
+                                                                        let _e1326 = vec3<f32>(_e1323, _e1324, _e1325);
+                                                                        let _e1327 = (_e1153[0][0] - _e1153[2][0]);
+                                                                        let _e1328 = (_e1153[0][1] - _e1153[2][1]);
+                                                                        let _e1329 = (_e1153[0][2] - _e1153[2][2]);
+                                                                        let _e1330 = vec3<f32>(_e1327, _e1328, _e1329);
+                                                                        let _e1333 = bitcast<f32>((bitcast<u32>(_e1319) & 2147483647u));
+                                                                        let _e1336 = bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u));
+                                                                        let _e1338 = select(_e1336, _e1333, (_e1333 > _e1336));
+                                                                        let _e1341 = bitcast<f32>((bitcast<u32>(_e1321) & 2147483647u));
+                                                                        let _e1343 = select(_e1341, _e1338, (_e1338 > _e1341));
+                                                                        let _e1346 = bitcast<f32>((bitcast<u32>(_e1323) & 2147483647u));
+                                                                        let _e1349 = bitcast<f32>((bitcast<u32>(_e1324) & 2147483647u));
+                                                                        let _e1351 = select(_e1349, _e1346, (_e1346 > _e1349));
+                                                                        let _e1354 = bitcast<f32>((bitcast<u32>(_e1325) & 2147483647u));
+                                                                        let _e1356 = select(_e1354, _e1351, (_e1351 > _e1354));
+                                                                        let _e1359 = bitcast<f32>((bitcast<u32>(_e1327) & 2147483647u));
+                                                                        let _e1362 = bitcast<f32>((bitcast<u32>(_e1328) & 2147483647u));
+                                                                        let _e1364 = select(_e1362, _e1359, (_e1359 > _e1362));
+                                                                        let _e1367 = bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u));
+                                                                        let _e1369 = select(_e1367, _e1364, (_e1364 > _e1367));
+                                                                        let _e1371 = select(_e1356, _e1343, (_e1343 > _e1356));
+                                                                        let _e1373 = select(_e1369, _e1371, (_e1371 > _e1369));
+                                                                        if (_e1343 == _e1373) {
+                                                                            phi_1883_ = _e1180;
+                                                                            phi_1884_ = _e1177;
+                                                                            phi_1885_ = _e1167;
+                                                                            phi_1886_ = _e1164;
+                                                                            phi_1887_ = _e1316;
+                                                                            phi_1888_ = _e1330;
+                                                                            phi_1889_ = _e1326;
+                                                                            phi_1890_ = _e1322;
                                                                         } else {
-                                                                            let _e1189 = (_e1170 == _e1187);
-                                                                            let _e1194 = vec3(_e1189);
-                                                                            phi_1580_ = select(_e981, _e1007, _e1189);
-                                                                            phi_1581_ = select(_e978, _e1004, _e1189);
-                                                                            phi_1582_ = select(_e1007, _e994, _e1189);
-                                                                            phi_1583_ = select(_e1004, _e991, _e1189);
-                                                                            phi_1584_ = select(_e1132, _e1131, _e1194);
-                                                                            phi_1585_ = select(_e1140, _e1136, _e1194);
-                                                                            phi_1586_ = select(_e1136, _e1144, _e1194);
-                                                                            phi_1587_ = select(_e1144, _e1140, _e1194);
+                                                                            let _e1375 = (_e1356 == _e1373);
+                                                                            let _e1380 = vec3(_e1375);
+                                                                            phi_1883_ = select(_e1167, _e1193, _e1375);
+                                                                            phi_1884_ = select(_e1164, _e1190, _e1375);
+                                                                            phi_1885_ = select(_e1193, _e1180, _e1375);
+                                                                            phi_1886_ = select(_e1190, _e1177, _e1375);
+                                                                            phi_1887_ = select(_e1318, _e1317, _e1380);
+                                                                            phi_1888_ = select(_e1326, _e1322, _e1380);
+                                                                            phi_1889_ = select(_e1322, _e1330, _e1380);
+                                                                            phi_1890_ = select(_e1330, _e1326, _e1380);
                                                                         }
-                                                                        let _e1200 = phi_1580_;
-                                                                        let _e1202 = phi_1581_;
-                                                                        let _e1204 = phi_1582_;
-                                                                        let _e1206 = phi_1583_;
-                                                                        let _e1208 = phi_1584_;
-                                                                        let _e1210 = phi_1585_;
-                                                                        let _e1212 = phi_1586_;
-                                                                        let _e1214 = phi_1587_;
-                                                                        let _e1221 = ((_e1212.y * _e1210.z) - (_e1210.y * _e1212.z));
-                                                                        let _e1226 = ((_e1212.z * _e1210.x) - (_e1210.z * _e1212.x));
-                                                                        let _e1229 = ((_e1212.x * _e1210.y) - (_e1210.x * _e1212.y));
-                                                                        if (_e1029 >= _e1033) {
-                                                                            phi_1618_ = select(true, false, (_e1029 >= _e1037));
+                                                                        let _e1386 = phi_1883_;
+                                                                        let _e1388 = phi_1884_;
+                                                                        let _e1390 = phi_1885_;
+                                                                        let _e1392 = phi_1886_;
+                                                                        let _e1394 = phi_1887_;
+                                                                        let _e1396 = phi_1888_;
+                                                                        let _e1398 = phi_1889_;
+                                                                        let _e1400 = phi_1890_;
+                                                                        let _e1407 = ((_e1398.y * _e1396.z) - (_e1396.y * _e1398.z));
+                                                                        let _e1412 = ((_e1398.z * _e1396.x) - (_e1396.z * _e1398.x));
+                                                                        let _e1415 = ((_e1398.x * _e1396.y) - (_e1396.x * _e1398.y));
+                                                                        if (_e1215 >= _e1219) {
+                                                                            phi_1921_ = select(true, false, (_e1215 >= _e1223));
                                                                         } else {
-                                                                            phi_1618_ = true;
+                                                                            phi_1921_ = true;
                                                                         }
-                                                                        let _e1234 = phi_1618_;
-                                                                        if _e1234 {
-                                                                            phi_1627_ = select(_e1132, _e1131, vec3((_e1033 >= _e1037)));
+                                                                        let _e1420 = phi_1921_;
+                                                                        if _e1420 {
+                                                                            phi_1930_ = select(_e1318, _e1317, vec3((_e1219 >= _e1223)));
                                                                         } else {
-                                                                            phi_1627_ = _e1130;
+                                                                            phi_1930_ = _e1316;
                                                                         }
-                                                                        let _e1239 = phi_1627_;
-                                                                        let _e1250 = (((_e1221 * (_e1239.x - _e291)) + (_e1226 * (_e1239.y - _e330))) + (_e1229 * (_e1239.z - _e368)));
-                                                                        let _e1255 = (((_e1221 * _e316) + (_e1226 * _e354)) + (_e1229 * _e392));
-                                                                        let _e1256 = (_e1202 - _e1206);
-                                                                        let _e1257 = (_e1200 - _e1204);
-                                                                        let _e1265 = (-(((_e1206 * _e1256) + (_e1204 * _e1257))) / ((_e1256 * _e1256) + (_e1257 * _e1257)));
-                                                                        let _e1267 = select(1f, _e1265, (_e1265 < 1f));
-                                                                        let _e1269 = select(0f, _e1267, (_e1267 > 0f));
-                                                                        let _e1282 = ((_e1208.x + (_e1214.x * _e1269)) - _e291);
-                                                                        let _e1283 = ((_e1208.y + (_e1214.y * _e1269)) - _e330);
-                                                                        let _e1284 = ((_e1208.z + (_e1214.z * _e1269)) - _e368);
-                                                                        let _e1285 = (_e1284 / _e392);
-                                                                        let _e1297 = bitcast<f32>((bitcast<u32>(_e1282) & 2147483647u));
-                                                                        let _e1300 = bitcast<f32>((bitcast<u32>(_e1283) & 2147483647u));
-                                                                        let _e1302 = select(_e1300, _e1297, (_e1297 > _e1300));
-                                                                        let _e1305 = bitcast<f32>((bitcast<u32>(_e1284) & 2147483647u));
-                                                                        let _e1307 = select(_e1305, _e1302, (_e1302 > _e1305));
-                                                                        let _e1313 = bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u));
-                                                                        let _e1316 = bitcast<f32>((bitcast<u32>(_e1226) & 2147483647u));
-                                                                        let _e1318 = select(_e1316, _e1313, (_e1313 > _e1316));
-                                                                        let _e1321 = bitcast<f32>((bitcast<u32>(_e1229) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1221 * _e1282) + (_e1226 * _e1283)) + (_e1229 * _e1284)) - _e1250)) & 2147483647u)) <= ((0.0000009536743f * select(_e1187, _e1307, (_e1307 > _e1187))) * select(_e1321, _e1318, (_e1318 > _e1321)))) {
-                                                                            let _e1331 = bitcast<f32>((bitcast<u32>(_e1212.x) & 2147483647u));
-                                                                            let _e1334 = bitcast<f32>((bitcast<u32>(_e1212.y) & 2147483647u));
-                                                                            let _e1336 = select(_e1334, _e1331, (_e1331 > _e1334));
-                                                                            let _e1339 = bitcast<f32>((bitcast<u32>(_e1212.z) & 2147483647u));
-                                                                            let _e1345 = bitcast<f32>((bitcast<u32>(_e1210.x) & 2147483647u));
-                                                                            let _e1348 = bitcast<f32>((bitcast<u32>(_e1210.y) & 2147483647u));
-                                                                            let _e1350 = select(_e1348, _e1345, (_e1345 > _e1348));
-                                                                            let _e1353 = bitcast<f32>((bitcast<u32>(_e1210.z) & 2147483647u));
-                                                                            let _e1357 = (bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u)) > ((0.0000038146973f * select(_e1339, _e1336, (_e1336 > _e1339))) * select(_e1353, _e1350, (_e1350 > _e1353))));
-                                                                            if _e1357 {
-                                                                                phi_1792_ = (_e1250 / _e1255);
+                                                                        let _e1425 = phi_1930_;
+                                                                        let _e1436 = (((_e1407 * (_e1425.x - _e313)) + (_e1412 * (_e1425.y - _e382))) + (_e1415 * (_e1425.z - _e450)));
+                                                                        let _e1441 = (((_e1407 * _e353) + (_e1412 * _e421)) + (_e1415 * _e489));
+                                                                        let _e1442 = (_e1388 - _e1392);
+                                                                        let _e1443 = (_e1386 - _e1390);
+                                                                        let _e1451 = (-(((_e1392 * _e1442) + (_e1390 * _e1443))) / ((_e1442 * _e1442) + (_e1443 * _e1443)));
+                                                                        let _e1453 = select(1f, _e1451, (_e1451 < 1f));
+                                                                        let _e1455 = select(0f, _e1453, (_e1453 > 0f));
+                                                                        let _e1468 = ((_e1394.x + (_e1400.x * _e1455)) - _e313);
+                                                                        let _e1469 = ((_e1394.y + (_e1400.y * _e1455)) - _e382);
+                                                                        let _e1470 = ((_e1394.z + (_e1400.z * _e1455)) - _e450);
+                                                                        let _e1471 = (_e1470 / _e489);
+                                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1468) & 2147483647u));
+                                                                        let _e1486 = bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u));
+                                                                        let _e1488 = select(_e1486, _e1483, (_e1483 > _e1486));
+                                                                        let _e1491 = bitcast<f32>((bitcast<u32>(_e1470) & 2147483647u));
+                                                                        let _e1493 = select(_e1491, _e1488, (_e1488 > _e1491));
+                                                                        let _e1499 = bitcast<f32>((bitcast<u32>(_e1407) & 2147483647u));
+                                                                        let _e1502 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
+                                                                        let _e1504 = select(_e1502, _e1499, (_e1499 > _e1502));
+                                                                        let _e1507 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1407 * _e1468) + (_e1412 * _e1469)) + (_e1415 * _e1470)) - _e1436)) & 2147483647u)) <= ((0.0000009536743f * select(_e1373, _e1493, (_e1493 > _e1373))) * select(_e1507, _e1504, (_e1504 > _e1507)))) {
+                                                                            let _e1517 = bitcast<f32>((bitcast<u32>(_e1398.x) & 2147483647u));
+                                                                            let _e1520 = bitcast<f32>((bitcast<u32>(_e1398.y) & 2147483647u));
+                                                                            let _e1522 = select(_e1520, _e1517, (_e1517 > _e1520));
+                                                                            let _e1525 = bitcast<f32>((bitcast<u32>(_e1398.z) & 2147483647u));
+                                                                            let _e1531 = bitcast<f32>((bitcast<u32>(_e1396.x) & 2147483647u));
+                                                                            let _e1534 = bitcast<f32>((bitcast<u32>(_e1396.y) & 2147483647u));
+                                                                            let _e1536 = select(_e1534, _e1531, (_e1531 > _e1534));
+                                                                            let _e1539 = bitcast<f32>((bitcast<u32>(_e1396.z) & 2147483647u));
+                                                                            let _e1543 = (bitcast<f32>((bitcast<u32>(_e1441) & 2147483647u)) > ((0.0000038146973f * select(_e1525, _e1522, (_e1522 > _e1525))) * select(_e1539, _e1536, (_e1536 > _e1539))));
+                                                                            if _e1543 {
+                                                                                phi_2095_ = (_e1436 / _e1441);
                                                                             } else {
-                                                                                phi_1792_ = f32();
+                                                                                phi_2095_ = f32();
                                                                             }
-                                                                            let _e1360 = phi_1792_;
-                                                                            phi_1794_ = _e1360;
-                                                                            phi_1795_ = select(true, false, _e1357);
+                                                                            let _e1546 = phi_2095_;
+                                                                            phi_2097_ = _e1546;
+                                                                            phi_2098_ = select(true, false, _e1543);
                                                                         } else {
-                                                                            phi_1794_ = f32();
-                                                                            phi_1795_ = true;
+                                                                            phi_2097_ = f32();
+                                                                            phi_2098_ = true;
                                                                         }
-                                                                        let _e1363 = phi_1794_;
-                                                                        let _e1365 = phi_1795_;
-                                                                        if _e1365 {
-                                                                            let _e1373 = (((_e1221 * (_e1282 - (_e316 * _e1285))) + (_e1226 * (_e1283 - (_e354 * _e1285)))) / _e1255);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1373) & 2147483647u)) <= _e1187) {
-                                                                                phi_1815_ = (_e1285 + _e1373);
+                                                                        let _e1549 = phi_2097_;
+                                                                        let _e1551 = phi_2098_;
+                                                                        if _e1551 {
+                                                                            let _e1559 = (((_e1407 * (_e1468 - (_e353 * _e1471))) + (_e1412 * (_e1469 - (_e421 * _e1471)))) / _e1441);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u)) <= _e1373) {
+                                                                                phi_2118_ = (_e1471 + _e1559);
                                                                             } else {
-                                                                                phi_1815_ = _e1285;
+                                                                                phi_2118_ = _e1471;
                                                                             }
-                                                                            let _e1380 = phi_1815_;
-                                                                            phi_1816_ = _e1380;
+                                                                            let _e1566 = phi_2118_;
+                                                                            phi_2119_ = _e1566;
                                                                         } else {
-                                                                            phi_1816_ = _e1363;
+                                                                            phi_2119_ = _e1549;
                                                                         }
-                                                                        let _e1382 = phi_1816_;
-                                                                        let _e1384 = select(_e1120, _e1382, (_e1382 < _e1120));
-                                                                        let _e1386 = select(_e1112, _e1384, (_e1384 > _e1112));
-                                                                        if (_e1386 >= _e442) {
-                                                                            let _e1388 = (_e1386 <= _e871.member_1);
-                                                                            if _e1388 {
-                                                                                let _e1389 = (1f / _e1039);
-                                                                                phi_1839_ = type_22(_e1386, (_e1033 * _e1389), (_e1037 * _e1389), _e900);
+                                                                        let _e1568 = phi_2119_;
+                                                                        let _e1570 = select(_e1306, _e1568, (_e1568 < _e1306));
+                                                                        let _e1572 = select(_e1298, _e1570, (_e1570 > _e1298));
+                                                                        if (_e1572 >= _e604) {
+                                                                            let _e1574 = (_e1572 <= _e1057.member_1);
+                                                                            if _e1574 {
+                                                                                let _e1575 = (1f / _e1225);
+                                                                                phi_2142_ = type_22(_e1572, (_e1219 * _e1575), (_e1223 * _e1575), _e1086);
                                                                             } else {
-                                                                                phi_1839_ = type_22();
+                                                                                phi_2142_ = type_22();
                                                                             }
-                                                                            let _e1394 = phi_1839_;
-                                                                            phi_1841_ = _e1394;
-                                                                            phi_1842_ = select(true, false, _e1388);
+                                                                            let _e1580 = phi_2142_;
+                                                                            phi_2144_ = _e1580;
+                                                                            phi_2145_ = select(true, false, _e1574);
                                                                         } else {
-                                                                            phi_1841_ = type_22();
-                                                                            phi_1842_ = true;
+                                                                            phi_2144_ = type_22();
+                                                                            phi_2145_ = true;
                                                                         }
-                                                                        let _e1397 = phi_1841_;
-                                                                        let _e1399 = phi_1842_;
-                                                                        if _e1399 {
-                                                                            phi_1846_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1583 = phi_2144_;
+                                                                        let _e1585 = phi_2145_;
+                                                                        if _e1585 {
+                                                                            phi_2149_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1846_ = _e1397;
+                                                                            phi_2149_ = _e1583;
                                                                         }
-                                                                        let _e1401 = phi_1846_;
-                                                                        phi_1847_ = _e1401;
+                                                                        let _e1587 = phi_2149_;
+                                                                        phi_2150_ = _e1587;
                                                                     }
-                                                                    let _e1403 = phi_1847_;
-                                                                    phi_1848_ = _e1403;
-                                                                    phi_1849_ = _e1129;
+                                                                    let _e1589 = phi_2150_;
+                                                                    phi_2151_ = _e1589;
+                                                                    phi_2152_ = _e1315;
                                                                 }
-                                                                let _e1405 = phi_1848_;
-                                                                let _e1407 = phi_1849_;
-                                                                phi_1853_ = _e1405;
-                                                                phi_1854_ = _e1407;
+                                                                let _e1591 = phi_2151_;
+                                                                let _e1593 = phi_2152_;
+                                                                phi_2156_ = _e1591;
+                                                                phi_2157_ = _e1593;
                                                             }
-                                                            let _e1409 = phi_1853_;
-                                                            let _e1411 = phi_1854_;
-                                                            phi_1855_ = _e1409;
-                                                            phi_1856_ = _e1064;
-                                                            phi_1857_ = _e1411;
+                                                            let _e1595 = phi_2156_;
+                                                            let _e1597 = phi_2157_;
+                                                            phi_2158_ = _e1595;
+                                                            phi_2159_ = _e1250;
+                                                            phi_2160_ = _e1597;
                                                         }
-                                                        let _e1413 = phi_1855_;
-                                                        let _e1415 = phi_1856_;
-                                                        let _e1417 = phi_1857_;
-                                                        phi_1858_ = _e1413;
-                                                        phi_1859_ = _e1415;
-                                                        phi_1860_ = _e1417;
+                                                        let _e1599 = phi_2158_;
+                                                        let _e1601 = phi_2159_;
+                                                        let _e1603 = phi_2160_;
+                                                        phi_2161_ = _e1599;
+                                                        phi_2162_ = _e1601;
+                                                        phi_2163_ = _e1603;
                                                     }
-                                                    let _e1419 = phi_1858_;
-                                                    let _e1421 = phi_1859_;
-                                                    let _e1423 = phi_1860_;
-                                                    phi_1868_ = _e1419;
-                                                    phi_1869_ = select(_e1423, true, _e1421);
+                                                    let _e1605 = phi_2161_;
+                                                    let _e1607 = phi_2162_;
+                                                    let _e1609 = phi_2163_;
+                                                    phi_2171_ = _e1605;
+                                                    phi_2172_ = select(_e1609, true, _e1607);
                                                 } else {
-                                                    phi_1868_ = type_22();
-                                                    phi_1869_ = true;
+                                                    phi_2171_ = type_22();
+                                                    phi_2172_ = true;
                                                 }
-                                                let _e1426 = phi_1868_;
-                                                let _e1428 = phi_1869_;
-                                                if _e1428 {
-                                                    phi_1873_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1612 = phi_2171_;
+                                                let _e1614 = phi_2172_;
+                                                if _e1614 {
+                                                    phi_2176_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1873_ = _e1426;
+                                                    phi_2176_ = _e1612;
                                                 }
-                                                let _e1430 = phi_1873_;
-                                                if (_e1430.member_3 != 4294967295u) {
-                                                    if (_e900 != 4294967295u) {
-                                                        if (_e1430.member < _e871.member.member) {
-                                                            phi_1899_ = true;
+                                                let _e1616 = phi_2176_;
+                                                if (_e1616.member_3 != 4294967295u) {
+                                                    if (_e1086 != 4294967295u) {
+                                                        if (_e1616.member < _e1057.member.member) {
+                                                            phi_2202_ = true;
                                                         } else {
-                                                            if (_e1430.member == _e871.member.member) {
-                                                                phi_1898_ = (_e1430.member_3 < _e871.member.member_3);
+                                                            if (_e1616.member == _e1057.member.member) {
+                                                                phi_2201_ = (_e1616.member_3 < _e1057.member.member_3);
                                                             } else {
-                                                                phi_1898_ = false;
+                                                                phi_2201_ = false;
                                                             }
-                                                            let _e1443 = phi_1898_;
-                                                            phi_1899_ = _e1443;
+                                                            let _e1629 = phi_2201_;
+                                                            phi_2202_ = _e1629;
                                                         }
-                                                        let _e1445 = phi_1899_;
-                                                        if _e1445 {
-                                                            phi_1905_ = type_33(_e1430, _e1430.member);
+                                                        let _e1631 = phi_2202_;
+                                                        if _e1631 {
+                                                            phi_2208_ = type_33(_e1616, _e1616.member);
                                                         } else {
-                                                            phi_1905_ = _e871;
+                                                            phi_2208_ = _e1057;
                                                         }
-                                                        let _e1448 = phi_1905_;
-                                                        phi_1906_ = _e1448;
+                                                        let _e1634 = phi_2208_;
+                                                        phi_2209_ = _e1634;
                                                     } else {
-                                                        phi_1906_ = _e871;
+                                                        phi_2209_ = _e1057;
                                                     }
-                                                    let _e1450 = phi_1906_;
-                                                    phi_1907_ = _e1450;
+                                                    let _e1636 = phi_2209_;
+                                                    phi_2210_ = _e1636;
                                                 } else {
-                                                    phi_1907_ = _e871;
+                                                    phi_2210_ = _e1057;
                                                 }
-                                                let _e1452 = phi_1907_;
-                                                phi_898_ = _e1452;
+                                                let _e1638 = phi_2210_;
+                                                phi_1201_ = _e1638;
                                             } else {
-                                                phi_898_ = type_33();
+                                                phi_1201_ = type_33();
                                             }
-                                            let _e1454 = phi_898_;
+                                            let _e1640 = phi_1201_;
                                             continue;
                                             continuing {
-                                                phi_897_ = _e1454;
-                                                phi_900_ = _e886;
-                                                phi_2968_ = _e474;
-                                                break if !(_e892);
+                                                phi_1200_ = _e1640;
+                                                phi_1203_ = _e1072;
+                                                phi_3393_ = _e636;
+                                                break if !(_e1078);
                                             }
                                         }
-                                        let _e1457 = phi_2968_;
-                                        phi_3110_ = _e1457;
-                                        if _e1457 {
+                                        let _e1643 = phi_3393_;
+                                        phi_3553_ = _e1643;
+                                        if _e1643 {
                                             break;
                                         }
-                                        phi_3114_ = _e1457;
-                                        let _e1644 = local_11;
-                                        phi_2856_ = _e1644;
-                                        phi_2857_ = _e515;
-                                        phi_2858_ = false;
-                                        phi_2859_ = _e519;
+                                        phi_3557_ = _e1643;
+                                        let _e1929 = local_11;
+                                        phi_3183_ = _e1929;
+                                        phi_3184_ = _e677;
+                                        phi_3185_ = false;
+                                        phi_3186_ = _e681;
                                     } else {
-                                        let _e528 = (_e515.member_1 < _e80);
-                                        if _e528 {
-                                            if _e528 {
+                                        let _e690 = (_e677.member_1 < _e87);
+                                        if _e690 {
+                                            if _e690 {
                                             } else {
-                                                phi_3110_ = true;
+                                                phi_3553_ = true;
                                                 break;
                                             }
-                                            let _e530 = global_5.member[_e515.member_1];
-                                            phi_1926_ = _e530;
+                                            let _e692 = global_5.member[_e677.member_1];
+                                            phi_2229_ = _e692;
                                         } else {
-                                            phi_1926_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2229_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e532 = phi_1926_;
-                                        let _e547 = ((10u * _e242) & 31u);
-                                        let _e550 = ((_e532.member[0] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e555 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[0] - _e515.member.member[0]) * 0.0009775171f)) ^ _e114));
-                                        let _e561 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e550) * _e555)) ^ _e114)));
-                                        let _e565 = select(select(_e515.member.member_1[0], _e561, (_e561 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e550 == 1023u));
-                                        let _e567 = ((10u * _e241) & 31u);
-                                        let _e570 = ((_e532.member[0] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e575 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[1] - _e515.member.member[1]) * 0.0009775171f)) ^ _e114));
-                                        let _e581 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e570) * _e575)) ^ _e114)));
-                                        let _e585 = select(select(_e515.member.member_1[1], _e581, (_e581 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e570 == 1023u));
-                                        let _e587 = ((10u * _e243) & 31u);
-                                        let _e590 = ((_e532.member[0] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e595 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[2] - _e515.member.member[2]) * 0.0009775171f)) ^ _e114));
-                                        let _e601 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e590) * _e595)) ^ _e114)));
-                                        let _e605 = select(select(_e515.member.member_1[2], _e601, (_e601 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e590 == 1023u));
-                                        let _e608 = ((_e532.member[1] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e614 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e608) * _e555)) ^ _e114)));
-                                        let _e618 = select(select(_e515.member.member_1[0], _e614, (_e614 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e608 == 1023u));
-                                        let _e621 = ((_e532.member[1] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e627 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e621) * _e575)) ^ _e114)));
-                                        let _e631 = select(select(_e515.member.member_1[1], _e627, (_e627 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e621 == 1023u));
-                                        let _e634 = ((_e532.member[1] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e640 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e634) * _e595)) ^ _e114)));
-                                        let _e644 = select(select(_e515.member.member_1[2], _e640, (_e640 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e634 == 1023u));
-                                        let _e650 = ((_e532.member_1[0] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e656 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e650) * _e555)) ^ _e114)));
-                                        let _e660 = select(select(_e515.member.member_1[0], _e656, (_e656 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e650 == 1023u));
-                                        let _e663 = ((_e532.member_1[0] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e669 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e663) * _e575)) ^ _e114)));
-                                        let _e673 = select(select(_e515.member.member_1[1], _e669, (_e669 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e663 == 1023u));
-                                        let _e676 = ((_e532.member_1[0] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e682 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e676) * _e595)) ^ _e114)));
-                                        let _e686 = select(select(_e515.member.member_1[2], _e682, (_e682 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e676 == 1023u));
-                                        let _e689 = ((_e532.member_1[1] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e695 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e689) * _e555)) ^ _e114)));
-                                        let _e699 = select(select(_e515.member.member_1[0], _e695, (_e695 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e689 == 1023u));
-                                        let _e702 = ((_e532.member_1[1] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e708 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e702) * _e575)) ^ _e114)));
-                                        let _e712 = select(select(_e515.member.member_1[1], _e708, (_e708 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e702 == 1023u));
-                                        let _e715 = ((_e532.member_1[1] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e721 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e715) * _e595)) ^ _e114)));
-                                        let _e725 = select(select(_e515.member.member_1[2], _e721, (_e721 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e715 == 1023u));
-                                        let _e730 = type_49(type_47(array<f32, 3>(_e565, _e585, _e605), array<f32, 3>(_e618, _e631, _e644)), _e532.member_2);
-                                        let _e735 = type_49(type_47(array<f32, 3>(_e660, _e673, _e686), array<f32, 3>(_e699, _e712, _e725)), _e532.member_3);
-                                        let _e741 = ((_e565 - _e314) * _e319);
-                                        let _e742 = ((_e660 - _e314) * _e319);
-                                        let _e743 = ((_e618 - _e315) * _e319);
-                                        let _e744 = ((_e699 - _e315) * _e319);
-                                        let _e749 = ((_e585 - _e352) * _e357);
-                                        let _e750 = ((_e673 - _e352) * _e357);
-                                        let _e751 = ((_e631 - _e353) * _e357);
-                                        let _e752 = ((_e712 - _e353) * _e357);
-                                        let _e757 = ((_e605 - _e390) * _e395);
-                                        let _e758 = ((_e686 - _e390) * _e395);
-                                        let _e759 = ((_e644 - _e391) * _e395);
-                                        let _e760 = ((_e725 - _e391) * _e395);
-                                        let _e762 = select(_e759, _e757, (_e757 < _e759));
-                                        let _e764 = select(_e760, _e758, (_e758 < _e760));
-                                        let _e766 = select(_e759, _e757, (_e757 > _e759));
-                                        let _e768 = select(_e760, _e758, (_e758 > _e760));
-                                        let _e770 = select(_e743, _e741, (_e741 < _e743));
-                                        let _e772 = select(_e744, _e742, (_e742 < _e744));
-                                        let _e774 = select(_e751, _e749, (_e749 < _e751));
-                                        let _e776 = select(_e752, _e750, (_e750 < _e752));
-                                        let _e778 = select(_e774, _e770, (_e770 > _e774));
-                                        let _e780 = select(_e776, _e772, (_e772 > _e776));
-                                        let _e782 = select(_e762, _e778, (_e778 > _e762));
-                                        let _e784 = select(_e764, _e780, (_e780 > _e764));
-                                        let _e786 = select(_e743, _e741, (_e741 > _e743));
-                                        let _e788 = select(_e744, _e742, (_e742 > _e744));
-                                        let _e790 = select(_e751, _e749, (_e749 > _e751));
-                                        let _e792 = select(_e752, _e750, (_e750 > _e752));
-                                        let _e794 = select(_e790, _e786, (_e786 < _e790));
-                                        let _e796 = select(_e792, _e788, (_e788 < _e792));
-                                        let _e801 = -(_e762);
-                                        let _e802 = -(_e764);
-                                        let _e809 = (select(_e766, _e794, (_e794 < _e766)) + (select(_e801, _e766, (_e766 > _e801)) * 0.0000019073523f));
-                                        let _e810 = (select(_e768, _e796, (_e796 < _e768)) + (select(_e802, _e768, (_e768 > _e802)) * 0.0000019073523f));
-                                        let _e812 = select(_e442, _e782, (_e782 > _e442));
-                                        let _e814 = select(_e442, _e784, (_e784 > _e442));
-                                        let _e819 = (_e812 <= select(_e476.member_1, _e809, (_e809 < _e476.member_1)));
-                                        let _e820 = (_e814 <= select(_e476.member_1, _e810, (_e810 < _e476.member_1)));
-                                        let _e821 = (_e812 <= _e814);
-                                        if _e819 {
-                                            if _e820 {
-                                                if _e821 {
-                                                    phi_2758_ = _e735;
+                                        let _e694 = phi_2229_;
+                                        let _e709 = ((10u * _e249) & 31u);
+                                        let _e712 = ((_e694.member[0] >> bitcast<u32>(_e709)) & 1023u);
+                                        let _e720 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e121));
+                                        let _e725 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e712)) - 8388608f) * _e720)) ^ _e121)));
+                                        let _e729 = select(select(_e677.member.member_1[0], _e725, (_e725 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e712 == 1023u));
+                                        let _e731 = ((10u * _e248) & 31u);
+                                        let _e734 = ((_e694.member[0] >> bitcast<u32>(_e731)) & 1023u);
+                                        let _e742 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e121));
+                                        let _e747 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e734)) - 8388608f) * _e742)) ^ _e121)));
+                                        let _e751 = select(select(_e677.member.member_1[1], _e747, (_e747 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e734 == 1023u));
+                                        let _e753 = ((10u * _e250) & 31u);
+                                        let _e756 = ((_e694.member[0] >> bitcast<u32>(_e753)) & 1023u);
+                                        let _e764 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e121));
+                                        let _e769 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e756)) - 8388608f) * _e764)) ^ _e121)));
+                                        let _e773 = select(select(_e677.member.member_1[2], _e769, (_e769 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e756 == 1023u));
+                                        let _e776 = ((_e694.member[1] >> bitcast<u32>(_e709)) & 1023u);
+                                        let _e784 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e776)) - 8388608f) * _e720)) ^ _e121)));
+                                        let _e788 = select(select(_e677.member.member_1[0], _e784, (_e784 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e776 == 1023u));
+                                        let _e791 = ((_e694.member[1] >> bitcast<u32>(_e731)) & 1023u);
+                                        let _e799 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e791)) - 8388608f) * _e742)) ^ _e121)));
+                                        let _e803 = select(select(_e677.member.member_1[1], _e799, (_e799 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e791 == 1023u));
+                                        let _e806 = ((_e694.member[1] >> bitcast<u32>(_e753)) & 1023u);
+                                        let _e814 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e806)) - 8388608f) * _e764)) ^ _e121)));
+                                        let _e818 = select(select(_e677.member.member_1[2], _e814, (_e814 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e806 == 1023u));
+                                        let _e824 = ((_e694.member_1[0] >> bitcast<u32>(_e709)) & 1023u);
+                                        let _e832 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e824)) - 8388608f) * _e720)) ^ _e121)));
+                                        let _e836 = select(select(_e677.member.member_1[0], _e832, (_e832 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e824 == 1023u));
+                                        let _e839 = ((_e694.member_1[0] >> bitcast<u32>(_e731)) & 1023u);
+                                        let _e847 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e742)) ^ _e121)));
+                                        let _e851 = select(select(_e677.member.member_1[1], _e847, (_e847 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e839 == 1023u));
+                                        let _e854 = ((_e694.member_1[0] >> bitcast<u32>(_e753)) & 1023u);
+                                        let _e862 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e854)) - 8388608f) * _e764)) ^ _e121)));
+                                        let _e866 = select(select(_e677.member.member_1[2], _e862, (_e862 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e854 == 1023u));
+                                        let _e869 = ((_e694.member_1[1] >> bitcast<u32>(_e709)) & 1023u);
+                                        let _e877 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e869)) - 8388608f) * _e720)) ^ _e121)));
+                                        let _e881 = select(select(_e677.member.member_1[0], _e877, (_e877 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e869 == 1023u));
+                                        let _e884 = ((_e694.member_1[1] >> bitcast<u32>(_e731)) & 1023u);
+                                        let _e892 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e884)) - 8388608f) * _e742)) ^ _e121)));
+                                        let _e896 = select(select(_e677.member.member_1[1], _e892, (_e892 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e884 == 1023u));
+                                        let _e899 = ((_e694.member_1[1] >> bitcast<u32>(_e753)) & 1023u);
+                                        let _e907 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e899)) - 8388608f) * _e764)) ^ _e121)));
+                                        let _e911 = select(select(_e677.member.member_1[2], _e907, (_e907 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e899 == 1023u));
+                                        let _e916 = type_49(type_47(array<f32, 3>(_e729, _e751, _e773), array<f32, 3>(_e788, _e803, _e818)), _e694.member_2);
+                                        let _e921 = type_49(type_47(array<f32, 3>(_e836, _e851, _e866), array<f32, 3>(_e881, _e896, _e911)), _e694.member_3);
+                                        let _e927 = ((_e729 - _e351) * _e356);
+                                        let _e928 = ((_e836 - _e351) * _e356);
+                                        let _e929 = ((_e788 - _e352) * _e356);
+                                        let _e930 = ((_e881 - _e352) * _e356);
+                                        let _e935 = ((_e751 - _e419) * _e424);
+                                        let _e936 = ((_e851 - _e419) * _e424);
+                                        let _e937 = ((_e803 - _e420) * _e424);
+                                        let _e938 = ((_e896 - _e420) * _e424);
+                                        let _e943 = ((_e773 - _e487) * _e492);
+                                        let _e944 = ((_e866 - _e487) * _e492);
+                                        let _e945 = ((_e818 - _e488) * _e492);
+                                        let _e946 = ((_e911 - _e488) * _e492);
+                                        let _e948 = select(_e945, _e943, (_e943 < _e945));
+                                        let _e950 = select(_e946, _e944, (_e944 < _e946));
+                                        let _e952 = select(_e945, _e943, (_e943 > _e945));
+                                        let _e954 = select(_e946, _e944, (_e944 > _e946));
+                                        let _e956 = select(_e929, _e927, (_e927 < _e929));
+                                        let _e958 = select(_e930, _e928, (_e928 < _e930));
+                                        let _e960 = select(_e937, _e935, (_e935 < _e937));
+                                        let _e962 = select(_e938, _e936, (_e936 < _e938));
+                                        let _e964 = select(_e960, _e956, (_e956 > _e960));
+                                        let _e966 = select(_e962, _e958, (_e958 > _e962));
+                                        let _e968 = select(_e948, _e964, (_e964 > _e948));
+                                        let _e970 = select(_e950, _e966, (_e966 > _e950));
+                                        let _e972 = select(_e929, _e927, (_e927 > _e929));
+                                        let _e974 = select(_e930, _e928, (_e928 > _e930));
+                                        let _e976 = select(_e937, _e935, (_e935 > _e937));
+                                        let _e978 = select(_e938, _e936, (_e936 > _e938));
+                                        let _e980 = select(_e976, _e972, (_e972 < _e976));
+                                        let _e982 = select(_e978, _e974, (_e974 < _e978));
+                                        let _e987 = -(_e948);
+                                        let _e988 = -(_e950);
+                                        let _e995 = (select(_e952, _e980, (_e980 < _e952)) + (select(_e987, _e952, (_e952 > _e987)) * 0.0000019073523f));
+                                        let _e996 = (select(_e954, _e982, (_e982 < _e954)) + (select(_e988, _e954, (_e954 > _e988)) * 0.0000019073523f));
+                                        let _e998 = select(_e604, _e968, (_e968 > _e604));
+                                        let _e1000 = select(_e604, _e970, (_e970 > _e604));
+                                        let _e1005 = (_e998 <= select(_e638.member_1, _e995, (_e995 < _e638.member_1)));
+                                        let _e1006 = (_e1000 <= select(_e638.member_1, _e996, (_e996 < _e638.member_1)));
+                                        let _e1007 = (_e998 <= _e1000);
+                                        if _e1005 {
+                                            if _e1006 {
+                                                if _e1007 {
+                                                    phi_3085_ = _e921;
                                                 } else {
-                                                    phi_2758_ = _e730;
+                                                    phi_3085_ = _e916;
                                                 }
-                                                let _e823 = phi_2758_;
-                                                let _e831 = (_e519 % 128u);
-                                                let _e832 = (_e831 < 128u);
-                                                if _e832 {
+                                                let _e1009 = phi_3085_;
+                                                let _e1017 = (_e681 % 128u);
+                                                let _e1018 = (_e1017 < 128u);
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3110_ = true;
+                                                    phi_3553_ = true;
                                                     break;
                                                 }
-                                                local_6[_e831] = _e823.member_1;
-                                                if _e832 {
+                                                local_6[_e1017] = _e1009.member_1;
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3110_ = true;
+                                                    phi_3553_ = true;
                                                     break;
                                                 }
-                                                local_5[_e831] = _e823.member.member[0];
-                                                if _e832 {
+                                                local_5[_e1017] = _e1009.member.member[0];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3110_ = true;
+                                                    phi_3553_ = true;
                                                     break;
                                                 }
-                                                local_4[_e831] = _e823.member.member[1];
-                                                if _e832 {
+                                                local_4[_e1017] = _e1009.member.member[1];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3110_ = true;
+                                                    phi_3553_ = true;
                                                     break;
                                                 }
-                                                local_3[_e831] = _e823.member.member[2];
-                                                if _e832 {
+                                                local_3[_e1017] = _e1009.member.member[2];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3110_ = true;
+                                                    phi_3553_ = true;
                                                     break;
                                                 }
-                                                local_2[_e831] = _e823.member.member_1[0];
-                                                if _e832 {
+                                                local_2[_e1017] = _e1009.member.member_1[0];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3110_ = true;
+                                                    phi_3553_ = true;
                                                     break;
                                                 }
-                                                local_1[_e831] = _e823.member.member_1[1];
-                                                if _e832 {
+                                                local_1[_e1017] = _e1009.member.member_1[1];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3110_ = true;
+                                                    phi_3553_ = true;
                                                     break;
                                                 }
-                                                local[_e831] = _e823.member.member_1[2];
-                                                if _e832 {
+                                                local[_e1017] = _e1009.member.member_1[2];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3110_ = true;
+                                                    phi_3553_ = true;
                                                     break;
                                                 }
-                                                local_7[_e831] = select(_e814, _e812, (_e812 > _e814));
-                                                if _e821 {
-                                                    phi_2835_ = _e730;
+                                                local_7[_e1017] = select(_e1000, _e998, (_e998 > _e1000));
+                                                if _e1007 {
+                                                    phi_3162_ = _e916;
                                                 } else {
-                                                    phi_2835_ = _e735;
+                                                    phi_3162_ = _e921;
                                                 }
-                                                let _e849 = phi_2835_;
-                                                phi_2836_ = _e849;
-                                                phi_2837_ = (_e519 + 1u);
+                                                let _e1035 = phi_3162_;
+                                                phi_3163_ = _e1035;
+                                                phi_3164_ = (_e681 + 1u);
                                             } else {
-                                                phi_2836_ = type_49();
-                                                phi_2837_ = u32();
+                                                phi_3163_ = type_49();
+                                                phi_3164_ = u32();
                                             }
-                                            let _e851 = phi_2836_;
-                                            let _e853 = phi_2837_;
-                                            phi_2839_ = _e851;
-                                            phi_2840_ = _e853;
-                                            phi_2841_ = select(true, false, _e820);
+                                            let _e1037 = phi_3163_;
+                                            let _e1039 = phi_3164_;
+                                            phi_3166_ = _e1037;
+                                            phi_3167_ = _e1039;
+                                            phi_3168_ = select(true, false, _e1006);
                                         } else {
-                                            phi_2839_ = type_49();
-                                            phi_2840_ = u32();
-                                            phi_2841_ = true;
+                                            phi_3166_ = type_49();
+                                            phi_3167_ = u32();
+                                            phi_3168_ = true;
                                         }
-                                        let _e856 = phi_2839_;
-                                        let _e858 = phi_2840_;
-                                        let _e860 = phi_2841_;
-                                        if _e860 {
-                                            if _e819 {
-                                                phi_2848_ = _e730;
+                                        let _e1042 = phi_3166_;
+                                        let _e1044 = phi_3167_;
+                                        let _e1046 = phi_3168_;
+                                        if _e1046 {
+                                            if _e1005 {
+                                                phi_3175_ = _e916;
                                             } else {
-                                                phi_2848_ = _e735;
+                                                phi_3175_ = _e921;
                                             }
-                                            let _e862 = phi_2848_;
-                                            phi_2853_ = _e862;
-                                            phi_2854_ = select(_e820, true, _e819);
+                                            let _e1048 = phi_3175_;
+                                            phi_3180_ = _e1048;
+                                            phi_3181_ = select(_e1006, true, _e1005);
                                         } else {
-                                            phi_2853_ = _e856;
-                                            phi_2854_ = _e517;
+                                            phi_3180_ = _e1042;
+                                            phi_3181_ = _e679;
                                         }
-                                        let _e865 = phi_2853_;
-                                        let _e867 = phi_2854_;
-                                        phi_3114_ = _e474;
-                                        phi_2856_ = _e476;
-                                        phi_2857_ = _e865;
-                                        phi_2858_ = _e867;
-                                        phi_2859_ = select(_e858, _e519, _e860);
+                                        let _e1051 = phi_3180_;
+                                        let _e1053 = phi_3181_;
+                                        phi_3557_ = _e636;
+                                        phi_3183_ = _e638;
+                                        phi_3184_ = _e1051;
+                                        phi_3185_ = _e1053;
+                                        phi_3186_ = select(_e1044, _e681, _e1046);
                                     }
-                                    let _e1459 = phi_3114_;
-                                    let _e1461 = phi_2856_;
-                                    let _e1463 = phi_2857_;
-                                    let _e1465 = phi_2858_;
-                                    let _e1467 = phi_2859_;
-                                    phi_3113_ = _e1459;
-                                    phi_2860_ = _e1461;
-                                    phi_2861_ = _e1463;
-                                    phi_2862_ = (_e480 - 1u);
-                                    phi_2863_ = _e1465;
-                                    phi_2864_ = _e1467;
+                                    let _e1645 = phi_3557_;
+                                    let _e1647 = phi_3183_;
+                                    let _e1649 = phi_3184_;
+                                    let _e1651 = phi_3185_;
+                                    let _e1653 = phi_3186_;
+                                    phi_3556_ = _e1645;
+                                    phi_3187_ = _e1647;
+                                    phi_3188_ = _e1649;
+                                    phi_3189_ = (_e642 - 1u);
+                                    phi_3190_ = _e1651;
+                                    phi_3191_ = _e1653;
                                 } else {
-                                    phi_3113_ = _e474;
-                                    phi_2860_ = _e476;
-                                    phi_2861_ = _e515;
-                                    phi_2862_ = _e480;
-                                    phi_2863_ = _e517;
-                                    phi_2864_ = _e519;
+                                    phi_3556_ = _e636;
+                                    phi_3187_ = _e638;
+                                    phi_3188_ = _e677;
+                                    phi_3189_ = _e642;
+                                    phi_3190_ = _e679;
+                                    phi_3191_ = _e681;
                                 }
-                                let _e1469 = phi_3113_;
-                                let _e1471 = phi_2860_;
-                                let _e1473 = phi_2861_;
-                                let _e1475 = phi_2862_;
-                                let _e1477 = phi_2863_;
-                                let _e1479 = phi_2864_;
-                                phi_3112_ = _e1469;
-                                phi_2865_ = _e1471;
-                                phi_2866_ = _e1473;
-                                phi_2867_ = _e1475;
-                                phi_2868_ = _e1477;
-                                phi_2869_ = _e1479;
+                                let _e1655 = phi_3556_;
+                                let _e1657 = phi_3187_;
+                                let _e1659 = phi_3188_;
+                                let _e1661 = phi_3189_;
+                                let _e1663 = phi_3190_;
+                                let _e1665 = phi_3191_;
+                                phi_3555_ = _e1655;
+                                phi_3192_ = _e1657;
+                                phi_3193_ = _e1659;
+                                phi_3194_ = _e1661;
+                                phi_3195_ = _e1663;
+                                phi_3196_ = _e1665;
                             } else {
-                                phi_3112_ = _e474;
-                                phi_2865_ = type_33();
-                                phi_2866_ = type_49();
-                                phi_2867_ = u32();
-                                phi_2868_ = bool();
-                                phi_2869_ = u32();
+                                phi_3555_ = _e636;
+                                phi_3192_ = type_33();
+                                phi_3193_ = type_49();
+                                phi_3194_ = u32();
+                                phi_3195_ = bool();
+                                phi_3196_ = u32();
                             }
-                            let _e1481 = phi_3112_;
-                            let _e1483 = phi_2865_;
-                            let _e1485 = phi_2866_;
-                            let _e1487 = phi_2867_;
-                            let _e1489 = phi_2868_;
-                            let _e1491 = phi_2869_;
-                            phi_3111_ = _e1481;
-                            phi_772_ = _e1483;
-                            phi_775_ = _e1485;
-                            phi_777_ = _e1487;
-                            phi_779_ = _e1489;
-                            phi_781_ = _e1491;
-                            phi_2870_ = _e488;
+                            let _e1667 = phi_3555_;
+                            let _e1669 = phi_3192_;
+                            let _e1671 = phi_3193_;
+                            let _e1673 = phi_3194_;
+                            let _e1675 = phi_3195_;
+                            let _e1677 = phi_3196_;
+                            phi_3554_ = _e1667;
+                            phi_1075_ = _e1669;
+                            phi_1078_ = _e1671;
+                            phi_1080_ = _e1673;
+                            phi_1082_ = _e1675;
+                            phi_1084_ = _e1677;
+                            phi_3197_ = _e650;
                         } else {
-                            phi_3111_ = _e474;
-                            phi_772_ = type_33();
-                            phi_775_ = type_49();
-                            phi_777_ = u32();
-                            phi_779_ = bool();
-                            phi_781_ = u32();
-                            phi_2870_ = false;
+                            phi_3554_ = _e636;
+                            phi_1075_ = type_33();
+                            phi_1078_ = type_49();
+                            phi_1080_ = u32();
+                            phi_1082_ = bool();
+                            phi_1084_ = u32();
+                            phi_3197_ = false;
                         }
-                        let _e1493 = phi_3111_;
-                        let _e1495 = phi_772_;
-                        let _e1497 = phi_775_;
-                        let _e1499 = phi_777_;
-                        let _e1501 = phi_779_;
-                        let _e1503 = phi_781_;
-                        let _e1505 = phi_2870_;
+                        let _e1679 = phi_3554_;
+                        let _e1681 = phi_1075_;
+                        let _e1683 = phi_1078_;
+                        let _e1685 = phi_1080_;
+                        let _e1687 = phi_1082_;
+                        let _e1689 = phi_1084_;
+                        let _e1691 = phi_3197_;
                         continue;
                         continuing {
-                            phi_2974_ = _e1493;
-                            phi_771_ = _e1495;
-                            phi_774_ = _e1497;
-                            phi_776_ = _e1499;
-                            phi_778_ = _e1501;
-                            phi_780_ = _e1503;
-                            phi_3110_ = _e1493;
-                            break if !(_e1505);
+                            phi_3399_ = _e1679;
+                            phi_1074_ = _e1681;
+                            phi_1077_ = _e1683;
+                            phi_1079_ = _e1685;
+                            phi_1081_ = _e1687;
+                            phi_1083_ = _e1689;
+                            phi_3553_ = _e1679;
+                            break if !(_e1691);
                         }
                     }
-                    let _e1508 = phi_3110_;
-                    if _e1508 {
+                    let _e1694 = phi_3553_;
+                    if _e1694 {
                         break;
                     }
-                    let _e1510 = local_10;
-                    if (_e1510.member.member_3 != 4294967295u) {
-                        let _e1515 = -(_e409);
-                        let _e1516 = (_e1515 / 3i);
-                        let _e1523 = bitcast<f32>((bitcast<u32>((_e1516 + 127i)) << bitcast<u32>(23i)));
-                        let _e1531 = (((_e1510.member.member * _e1523) * _e1523) * bitcast<f32>((bitcast<u32>(((_e1515 - (2i * _e1516)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1533 = select(340282350000000000000000000000000000000f, _e1531, (_e1531 < 340282350000000000000000000000000000000f));
-                        phi_2922_ = type_22(select(-340282350000000000000000000000000000000f, _e1533, (_e1533 > -340282350000000000000000000000000000000f)), _e1510.member.member_1, _e1510.member.member_2, _e1510.member.member_3);
+                    let _e1696 = local_10;
+                    if (_e1696.member.member_3 != 4294967295u) {
+                        let _e1701 = -(_e506);
+                        let _e1702 = bitcast<u32>(_e1696.member.member);
+                        let _e1706 = (bitcast<i32>((_e1702 >> bitcast<u32>(23i))) & 255i);
+                        let _e1707 = (_e1706 + _e1701);
+                        if (_e1706 == 255i) {
+                            phi_3256_ = _e1696.member.member;
+                        } else {
+                            if (_e1706 > 0i) {
+                                if (_e1707 > 0i) {
+                                    let _e1711 = (_e1707 < 255i);
+                                    if _e1711 {
+                                        phi_3235_ = bitcast<f32>((_e1702 + bitcast<u32>((_e1701 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_3235_ = f32();
+                                    }
+                                    let _e1718 = phi_3235_;
+                                    phi_3237_ = _e1718;
+                                    phi_3238_ = select(true, false, _e1711);
+                                } else {
+                                    phi_3237_ = f32();
+                                    phi_3238_ = true;
+                                }
+                                let _e1721 = phi_3237_;
+                                let _e1723 = phi_3238_;
+                                phi_3239_ = _e1721;
+                                phi_3240_ = _e1723;
+                            } else {
+                                phi_3239_ = f32();
+                                phi_3240_ = true;
+                            }
+                            let _e1725 = phi_3239_;
+                            let _e1727 = phi_3240_;
+                            if _e1727 {
+                                let _e1728 = (_e1702 & 2147483648u);
+                                let _e1735 = ((_e1702 & 8388607u) | (select(0u, 1u, ((_e1702 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1739 = (_e1735 == 0u);
+                                if _e1739 {
+                                    phi_3363_ = bitcast<f32>(_e1728);
+                                } else {
+                                    let _e1744 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1735)), 32u, _e1739) - 8u);
+                                    let _e1747 = (_e1735 << bitcast<u32>((_e1744 & 31u)));
+                                    let _e1749 = ((_e1707 + select(0i, 1i, (_e1706 == 0i))) - bitcast<i32>(_e1744));
+                                    if (_e1749 >= 255i) {
+                                        phi_3353_ = bitcast<f32>((_e1728 | 2139095040u));
+                                        phi_3354_ = f32();
+                                        phi_3355_ = true;
+                                    } else {
+                                        let _e1751 = (_e1749 > 0i);
+                                        if _e1751 {
+                                            phi_3347_ = bitcast<f32>(((_e1728 | (bitcast<u32>(_e1749) << bitcast<u32>(23i))) | (_e1747 & 8388607u)));
+                                            phi_3348_ = f32();
+                                        } else {
+                                            if (_e1749 < -24i) {
+                                                phi_3313_ = 26u;
+                                            } else {
+                                                phi_3313_ = bitcast<u32>((1i - _e1749));
+                                            }
+                                            let _e1756 = phi_3313_;
+                                            let _e1757 = (_e1756 & 31u);
+                                            let _e1759 = (_e1747 >> bitcast<u32>(_e1757));
+                                            let _e1763 = (_e1747 & ((1u << bitcast<u32>(_e1757)) - 1u));
+                                            let _e1767 = (1u << bitcast<u32>(((_e1756 - 1u) & 31u)));
+                                            if (_e1763 > _e1767) {
+                                                phi_3334_ = true;
+                                            } else {
+                                                if (_e1763 == _e1767) {
+                                                    phi_3331_ = ((_e1759 & 1u) == 1u);
+                                                } else {
+                                                    phi_3331_ = false;
+                                                }
+                                                let _e1773 = phi_3331_;
+                                                phi_3334_ = _e1773;
+                                            }
+                                            let _e1775 = phi_3334_;
+                                            phi_3347_ = f32();
+                                            phi_3348_ = bitcast<f32>((_e1728 | (_e1759 + select(0u, 1u, _e1775))));
+                                        }
+                                        let _e1788 = phi_3347_;
+                                        let _e1790 = phi_3348_;
+                                        phi_3353_ = _e1788;
+                                        phi_3354_ = _e1790;
+                                        phi_3355_ = _e1751;
+                                    }
+                                    let _e1794 = phi_3353_;
+                                    let _e1796 = phi_3354_;
+                                    let _e1798 = phi_3355_;
+                                    phi_3363_ = select(_e1796, _e1794, _e1798);
+                                }
+                                let _e1802 = phi_3363_;
+                                phi_3255_ = _e1802;
+                            } else {
+                                phi_3255_ = _e1725;
+                            }
+                            let _e1804 = phi_3255_;
+                            phi_3256_ = _e1804;
+                        }
+                        let _e1806 = phi_3256_;
+                        let _e1807 = bitcast<u32>(_e1806);
+                        if ((_e1807 & 2147483647u) >= 2139095040u) {
+                            phi_3268_ = bitcast<f32>(((_e1807 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_3268_ = _e1806;
+                        }
+                        let _e1814 = phi_3268_;
+                        phi_3273_ = type_22(_e1814, _e1696.member.member_1, _e1696.member.member_2, _e1696.member.member_3);
                     } else {
-                        phi_2922_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3273_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1540 = phi_2922_;
-                    if _e130 {
+                    let _e1819 = phi_3273_;
+                    if _e137 {
                     } else {
                         break;
                     }
-                    global_6.member[_e128] = _e1540;
+                    global_6.member[_e135] = _e1819;
                 }
             }
             break;

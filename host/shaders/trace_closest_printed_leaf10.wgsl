@@ -93,393 +93,470 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_333_: i32;
-    var phi_334_: i32;
-    var phi_344_: bool;
-    var phi_354_: u32;
-    var phi_355_: u32;
-    var phi_357_: bool;
-    var phi_362_: u32;
-    var phi_374_: i32;
-    var phi_394_: i32;
-    var phi_412_: f32;
-    var phi_418_: f32;
-    var phi_429_: f32;
-    var phi_435_: f32;
-    var phi_458_: f32;
-    var phi_469_: f32;
-    var phi_478_: f32;
-    var phi_484_: f32;
+    var phi_416_: i32;
+    var phi_417_: i32;
+    var phi_427_: bool;
+    var phi_437_: u32;
+    var phi_438_: u32;
+    var phi_440_: bool;
+    var phi_445_: u32;
+    var phi_457_: i32;
+    var phi_477_: i32;
     var phi_495_: f32;
     var phi_501_: f32;
-    var phi_524_: f32;
-    var phi_535_: f32;
-    var phi_544_: f32;
-    var phi_550_: f32;
-    var phi_561_: f32;
-    var phi_567_: f32;
-    var phi_590_: f32;
-    var phi_601_: f32;
-    var phi_701_: f32;
-    var phi_702_: f32;
-    var phi_3145_: bool;
-    var phi_775_: type_29;
-    var phi_778_: type_50;
-    var phi_780_: u32;
-    var phi_782_: bool;
-    var phi_784_: u32;
-    var phi_795_: bool;
-    var phi_881_: type_50;
-    var phi_882_: bool;
-    var phi_883_: u32;
-    var phi_2097_: type_37;
-    var phi_2929_: type_50;
-    var phi_3006_: type_50;
-    var phi_3007_: type_50;
-    var phi_3008_: u32;
-    var phi_3010_: type_50;
-    var phi_3011_: u32;
-    var phi_3012_: bool;
-    var phi_3019_: type_50;
-    var phi_3024_: type_50;
-    var phi_3025_: bool;
-    var phi_902_: type_29;
-    var phi_905_: type_4;
-    var phi_906_: type_4;
-    var phi_928_: type_4;
-    var phi_953_: u32;
-    var phi_969_: type_44;
-    var phi_1345_: bool;
-    var phi_1374_: bool;
-    var phi_1751_: f32;
-    var phi_1752_: f32;
-    var phi_1753_: f32;
-    var phi_1754_: f32;
-    var phi_1755_: vec3<f32>;
-    var phi_1756_: vec3<f32>;
-    var phi_1757_: vec3<f32>;
-    var phi_1758_: vec3<f32>;
-    var phi_1789_: bool;
-    var phi_1798_: vec3<f32>;
-    var phi_1963_: f32;
-    var phi_1965_: f32;
-    var phi_1966_: bool;
-    var phi_1986_: f32;
-    var phi_1987_: f32;
-    var phi_2010_: type_18;
-    var phi_2012_: type_18;
-    var phi_2013_: bool;
-    var phi_2017_: type_18;
-    var phi_2018_: type_18;
-    var phi_2019_: type_18;
-    var phi_2020_: bool;
-    var phi_2024_: type_18;
-    var phi_2025_: bool;
-    var phi_2026_: type_18;
-    var phi_2027_: bool;
-    var phi_2028_: bool;
-    var phi_2029_: type_18;
-    var phi_2030_: bool;
-    var phi_2031_: bool;
-    var phi_2039_: type_18;
-    var phi_2040_: bool;
-    var phi_2044_: type_18;
-    var phi_2069_: bool;
-    var phi_2070_: bool;
-    var phi_2076_: type_29;
-    var phi_2077_: type_29;
-    var phi_2078_: type_29;
-    var phi_903_: type_29;
-    var phi_3139_: bool;
-    var phi_3303_: bool;
-    var phi_3027_: type_29;
-    var phi_3028_: type_50;
-    var phi_3029_: bool;
-    var phi_3030_: u32;
-    var phi_3302_: bool;
-    var phi_3031_: type_29;
-    var phi_3032_: type_50;
-    var phi_3033_: u32;
-    var phi_3034_: bool;
-    var phi_3035_: u32;
-    var phi_3301_: bool;
-    var phi_3036_: type_29;
-    var phi_3037_: type_50;
-    var phi_3038_: u32;
-    var phi_3039_: bool;
-    var phi_3040_: u32;
-    var phi_3300_: bool;
-    var phi_776_: type_29;
-    var phi_779_: type_50;
-    var phi_781_: u32;
-    var phi_783_: bool;
-    var phi_785_: u32;
-    var phi_3041_: bool;
-    var phi_3299_: bool;
+    var phi_541_: f32;
+    var phi_547_: f32;
+    var phi_599_: f32;
+    var phi_610_: f32;
+    var phi_619_: f32;
+    var phi_625_: f32;
+    var phi_665_: f32;
+    var phi_671_: f32;
+    var phi_723_: f32;
+    var phi_734_: f32;
+    var phi_743_: f32;
+    var phi_749_: f32;
+    var phi_789_: f32;
+    var phi_795_: f32;
+    var phi_847_: f32;
+    var phi_858_: f32;
+    var phi_913_: i32;
+    var phi_935_: u32;
+    var phi_936_: u32;
+    var phi_973_: i32;
+    var phi_995_: u32;
+    var phi_996_: u32;
+    var phi_1004_: f32;
+    var phi_1005_: f32;
+    var phi_3588_: bool;
+    var phi_1078_: type_29;
+    var phi_1081_: type_50;
+    var phi_1083_: u32;
+    var phi_1085_: bool;
+    var phi_1087_: u32;
+    var phi_1098_: bool;
+    var phi_1184_: type_50;
+    var phi_1185_: bool;
+    var phi_1186_: u32;
+    var phi_2418_: type_37;
+    var phi_3274_: type_50;
+    var phi_3351_: type_50;
+    var phi_3352_: type_50;
+    var phi_3353_: u32;
+    var phi_3355_: type_50;
+    var phi_3356_: u32;
+    var phi_3357_: bool;
+    var phi_3364_: type_50;
+    var phi_3369_: type_50;
+    var phi_3370_: bool;
+    var phi_1205_: type_29;
+    var phi_1208_: type_4;
+    var phi_1209_: type_4;
+    var phi_1231_: type_4;
+    var phi_1256_: u32;
+    var phi_1272_: type_44;
+    var phi_1666_: bool;
+    var phi_1695_: bool;
+    var phi_2072_: f32;
+    var phi_2073_: f32;
+    var phi_2074_: f32;
+    var phi_2075_: f32;
+    var phi_2076_: vec3<f32>;
+    var phi_2077_: vec3<f32>;
+    var phi_2078_: vec3<f32>;
+    var phi_2079_: vec3<f32>;
+    var phi_2110_: bool;
+    var phi_2119_: vec3<f32>;
+    var phi_2284_: f32;
+    var phi_2286_: f32;
+    var phi_2287_: bool;
+    var phi_2307_: f32;
+    var phi_2308_: f32;
+    var phi_2331_: type_18;
+    var phi_2333_: type_18;
+    var phi_2334_: bool;
+    var phi_2338_: type_18;
+    var phi_2339_: type_18;
+    var phi_2340_: type_18;
+    var phi_2341_: bool;
+    var phi_2345_: type_18;
+    var phi_2346_: bool;
+    var phi_2347_: type_18;
+    var phi_2348_: bool;
+    var phi_2349_: bool;
+    var phi_2350_: type_18;
+    var phi_2351_: bool;
+    var phi_2352_: bool;
+    var phi_2360_: type_18;
+    var phi_2361_: bool;
+    var phi_2365_: type_18;
+    var phi_2390_: bool;
+    var phi_2391_: bool;
+    var phi_2397_: type_29;
+    var phi_2398_: type_29;
+    var phi_2399_: type_29;
+    var phi_1206_: type_29;
+    var phi_3582_: bool;
+    var phi_3764_: bool;
+    var phi_3372_: type_29;
+    var phi_3373_: type_50;
+    var phi_3374_: bool;
+    var phi_3375_: u32;
+    var phi_3763_: bool;
+    var phi_3376_: type_29;
+    var phi_3377_: type_50;
+    var phi_3378_: u32;
+    var phi_3379_: bool;
+    var phi_3380_: u32;
+    var phi_3762_: bool;
+    var phi_3381_: type_29;
+    var phi_3382_: type_50;
+    var phi_3383_: u32;
+    var phi_3384_: bool;
+    var phi_3385_: u32;
+    var phi_3761_: bool;
+    var phi_1079_: type_29;
+    var phi_1082_: type_50;
+    var phi_1084_: u32;
+    var phi_1086_: bool;
+    var phi_1088_: u32;
+    var phi_3386_: bool;
+    var phi_3760_: bool;
     var local_10: type_29;
-    var phi_3093_: type_18;
+    var phi_3424_: f32;
+    var phi_3426_: f32;
+    var phi_3427_: bool;
+    var phi_3428_: f32;
+    var phi_3429_: bool;
+    var phi_3502_: u32;
+    var phi_3520_: bool;
+    var phi_3523_: bool;
+    var phi_3536_: f32;
+    var phi_3537_: f32;
+    var phi_3542_: f32;
+    var phi_3543_: f32;
+    var phi_3544_: bool;
+    var phi_3552_: f32;
+    var phi_3444_: f32;
+    var phi_3445_: f32;
+    var phi_3457_: f32;
+    var phi_3462_: type_18;
     var local_11: type_29;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e75 = global;
-            let _e78 = arrayLength((&global_4.member));
-            let _e89 = global_2.member[0u][0u];
-            let _e93 = global_2.member[0u][1u];
-            let _e97 = global_2.member[0u][2u];
-            let _e101 = global_2.member[1u][0u];
-            let _e105 = global_2.member[1u][1u];
-            let _e109 = global_2.member[1u][2u];
-            let _e113 = global_2.member[1u][3u];
-            let _e116 = global_1.member[0u];
-            let _e117 = bitcast<i32>(_e116);
-            let _e127 = (_e75.x + (_e75.y * 2097152u));
-            let _e128 = (_e127 < arrayLength((&global_3.member)));
-            if _e128 {
-                let _e129 = (_e127 < arrayLength((&global_5.member)));
-                if _e129 {
-                    if _e128 {
+            let _e82 = global;
+            let _e85 = arrayLength((&global_4.member));
+            let _e96 = global_2.member[0u][0u];
+            let _e100 = global_2.member[0u][1u];
+            let _e104 = global_2.member[0u][2u];
+            let _e108 = global_2.member[1u][0u];
+            let _e112 = global_2.member[1u][1u];
+            let _e116 = global_2.member[1u][2u];
+            let _e120 = global_2.member[1u][3u];
+            let _e123 = global_1.member[0u];
+            let _e124 = bitcast<i32>(_e123);
+            let _e134 = (_e82.x + (_e82.y * 2097152u));
+            let _e135 = (_e134 < arrayLength((&global_3.member)));
+            if _e135 {
+                let _e136 = (_e134 < arrayLength((&global_5.member)));
+                if _e136 {
+                    if _e135 {
                     } else {
                         break;
                     }
-                    let _e137 = global_3.member[_e127].member_2[0u];
-                    let _e139 = (bitcast<u32>(_e137) & 2147483647u);
-                    let _e144 = global_3.member[_e127].member_2[1u];
+                    let _e144 = global_3.member[_e134].member_2[0u];
                     let _e146 = (bitcast<u32>(_e144) & 2147483647u);
-                    let _e151 = global_3.member[_e127].member_2[2u];
+                    let _e151 = global_3.member[_e134].member_2[1u];
                     let _e153 = (bitcast<u32>(_e151) & 2147483647u);
-                    let _e158 = global_3.member[_e127].member[0u];
+                    let _e158 = global_3.member[_e134].member_2[2u];
                     let _e160 = (bitcast<u32>(_e158) & 2147483647u);
-                    let _e165 = global_3.member[_e127].member[1u];
+                    let _e165 = global_3.member[_e134].member[0u];
                     let _e167 = (bitcast<u32>(_e165) & 2147483647u);
-                    let _e172 = global_3.member[_e127].member[2u];
+                    let _e172 = global_3.member[_e134].member[1u];
                     let _e174 = (bitcast<u32>(_e172) & 2147483647u);
-                    let _e176 = select(_e146, _e139, (_e146 < _e139));
-                    let _e178 = select(_e153, _e176, (_e153 < _e176));
-                    let _e180 = select(_e160, _e178, (_e160 < _e178));
-                    let _e182 = select(_e167, _e180, (_e167 < _e180));
-                    let _e184 = select(_e174, _e182, (_e174 < _e182));
-                    let _e188 = global_3.member[_e127].member_1;
-                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                    let _e197 = global_3.member[_e127].member_3;
-                    let _e203 = (((select(_e190, _e184, (_e190 < _e184)) < 2139095040u) && ((bitcast<u32>(_e197) & 2147483647u) <= 2139095040u)) && (_e178 > 0u));
-                    if _e203 {
-                        let _e206 = (bitcast<u32>(bitcast<f32>(_e178)) & 2147483647u);
-                        if (_e206 >= 8388608u) {
-                            phi_333_ = (bitcast<i32>((_e206 >> bitcast<u32>(23i))) - 127i);
+                    let _e179 = global_3.member[_e134].member[2u];
+                    let _e181 = (bitcast<u32>(_e179) & 2147483647u);
+                    let _e183 = select(_e153, _e146, (_e153 < _e146));
+                    let _e185 = select(_e160, _e183, (_e160 < _e183));
+                    let _e187 = select(_e167, _e185, (_e167 < _e185));
+                    let _e189 = select(_e174, _e187, (_e174 < _e187));
+                    let _e191 = select(_e181, _e189, (_e181 < _e189));
+                    let _e195 = global_3.member[_e134].member_1;
+                    let _e196 = bitcast<u32>(_e195);
+                    let _e197 = (_e196 & 2147483647u);
+                    let _e204 = global_3.member[_e134].member_3;
+                    let _e205 = bitcast<u32>(_e204);
+                    let _e206 = (_e205 & 2147483647u);
+                    let _e210 = (((select(_e197, _e191, (_e197 < _e191)) < 2139095040u) && (_e206 <= 2139095040u)) && (_e185 > 0u));
+                    if _e210 {
+                        let _e213 = (bitcast<u32>(bitcast<f32>(_e185)) & 2147483647u);
+                        if (_e213 >= 8388608u) {
+                            phi_416_ = (bitcast<i32>((_e213 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_333_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e206)), 32u, (_e206 == 0u))));
+                            phi_416_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e213)), 32u, (_e213 == 0u))));
                         }
-                        let _e220 = phi_333_;
-                        phi_334_ = _e220;
+                        let _e227 = phi_416_;
+                        phi_417_ = _e227;
                     } else {
-                        phi_334_ = 0i;
+                        phi_417_ = 0i;
                     }
-                    let _e222 = phi_334_;
-                    let _e223 = (_e139 == _e178);
-                    if _e223 {
-                        phi_344_ = true;
+                    let _e229 = phi_417_;
+                    let _e230 = (_e146 == _e185);
+                    if _e230 {
+                        phi_427_ = true;
                     } else {
-                        phi_344_ = (_e146 == _e178);
+                        phi_427_ = (_e153 == _e185);
                     }
-                    let _e226 = phi_344_;
-                    let _e227 = select(1u, 0u, _e223);
-                    if _e226 {
-                        let _e228 = (_e227 + 1u);
-                        phi_354_ = _e228;
-                        phi_355_ = _e228;
-                        phi_357_ = select(true, false, (_e228 == 2u));
+                    let _e233 = phi_427_;
+                    let _e234 = select(1u, 0u, _e230);
+                    if _e233 {
+                        let _e235 = (_e234 + 1u);
+                        phi_437_ = _e235;
+                        phi_438_ = _e235;
+                        phi_440_ = select(true, false, (_e235 == 2u));
                     } else {
-                        phi_354_ = u32();
-                        phi_355_ = 0u;
-                        phi_357_ = true;
+                        phi_437_ = u32();
+                        phi_438_ = 0u;
+                        phi_440_ = true;
                     }
-                    let _e232 = phi_354_;
-                    let _e234 = phi_355_;
-                    let _e236 = phi_357_;
-                    if _e236 {
-                        phi_362_ = (_e234 + 1u);
+                    let _e239 = phi_437_;
+                    let _e241 = phi_438_;
+                    let _e243 = phi_440_;
+                    if _e243 {
+                        phi_445_ = (_e241 + 1u);
                     } else {
-                        phi_362_ = 0u;
+                        phi_445_ = 0u;
                     }
-                    let _e240 = phi_362_;
-                    let _e241 = select(_e232, _e234, _e236);
-                    let _e242 = select(_e227, select(2u, _e227, _e226), _e236);
-                    if (_e117 < -126i) {
-                        phi_374_ = -126i;
+                    let _e247 = phi_445_;
+                    let _e248 = select(_e239, _e241, _e243);
+                    let _e249 = select(_e234, select(2u, _e234, _e233), _e243);
+                    if (_e124 < -126i) {
+                        phi_457_ = -126i;
                     } else {
-                        phi_374_ = select(_e117, 127i, (_e117 > 127i));
+                        phi_457_ = select(_e124, 127i, (_e124 > 127i));
                     }
-                    let _e247 = phi_374_;
-                    let _e252 = bitcast<f32>((bitcast<u32>((_e247 + 127i)) << bitcast<u32>(23i)));
-                    let _e258 = bitcast<f32>((bitcast<u32>(((_e117 - _e247) + 127i)) << bitcast<u32>(23i)));
-                    let _e259 = -(_e222);
-                    if (_e259 < -126i) {
-                        phi_394_ = -126i;
+                    let _e254 = phi_457_;
+                    let _e259 = bitcast<f32>((bitcast<u32>((_e254 + 127i)) << bitcast<u32>(23i)));
+                    let _e265 = bitcast<f32>((bitcast<u32>(((_e124 - _e254) + 127i)) << bitcast<u32>(23i)));
+                    let _e266 = -(_e229);
+                    if (_e266 < -126i) {
+                        phi_477_ = -126i;
                     } else {
-                        phi_394_ = select(_e259, 127i, (_e259 > 127i));
+                        phi_477_ = select(_e266, 127i, (_e266 > 127i));
                     }
-                    let _e264 = phi_394_;
-                    let _e269 = bitcast<f32>((bitcast<u32>((_e264 + 127i)) << bitcast<u32>(23i)));
-                    let _e275 = bitcast<f32>((bitcast<u32>(((_e259 - _e264) + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = global_3.member[_e127].member;
-                    let _e280 = (_e241 == 0u);
-                    if _e280 {
-                        phi_412_ = _e279[0];
+                    let _e271 = phi_477_;
+                    let _e276 = bitcast<f32>((bitcast<u32>((_e271 + 127i)) << bitcast<u32>(23i)));
+                    let _e282 = bitcast<f32>((bitcast<u32>(((_e266 - _e271) + 127i)) << bitcast<u32>(23i)));
+                    let _e286 = global_3.member[_e134].member;
+                    let _e287 = (_e248 == 0u);
+                    if _e287 {
+                        phi_495_ = _e286[0];
                     } else {
-                        phi_412_ = _e279[1];
+                        phi_495_ = _e286[1];
                     }
-                    let _e284 = phi_412_;
-                    let _e285 = (_e241 == 2u);
-                    if _e285 {
-                        phi_418_ = _e279[2];
+                    let _e291 = phi_495_;
+                    let _e292 = (_e248 == 2u);
+                    if _e292 {
+                        phi_501_ = _e286[2];
                     } else {
-                        phi_418_ = _e284;
+                        phi_501_ = _e291;
                     }
-                    let _e288 = phi_418_;
-                    let _e290 = ((_e288 * _e252) * _e258);
-                    let _e291 = global_3.member[_e127].member_2;
-                    if _e280 {
-                        phi_429_ = _e291[0];
+                    let _e295 = phi_501_;
+                    let _e296 = bitcast<u32>(_e295);
+                    let _e298 = ((_e296 & 2139095040u) != 0u);
+                    let _e312 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e296 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e296 & 2147483648u))), _e295, _e298) * _e259) * select(0.00000011920929f, 1f, _e298)) * _e265);
+                    let _e313 = global_3.member[_e134].member_2;
+                    if _e287 {
+                        phi_541_ = _e313[0];
                     } else {
-                        phi_429_ = _e291[1];
+                        phi_541_ = _e313[1];
                     }
-                    let _e295 = phi_429_;
-                    if _e285 {
-                        phi_435_ = _e291[2];
+                    let _e317 = phi_541_;
+                    if _e292 {
+                        phi_547_ = _e313[2];
                     } else {
-                        phi_435_ = _e295;
+                        phi_547_ = _e317;
                     }
-                    let _e298 = phi_435_;
-                    let _e300 = ((_e298 * _e269) * _e275);
-                    let _e304 = (bitcast<f32>((bitcast<u32>(_e300) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e304 {
-                        let _e308 = (bitcast<f32>((bitcast<u32>(_e290) & 2147483647u)) * 0.00000011920929f);
-                        phi_458_ = select(0.00000000000011368684f, _e308, (_e308 > 0.00000000000011368684f));
+                    let _e320 = phi_547_;
+                    let _e321 = bitcast<u32>(_e320);
+                    let _e323 = ((_e321 & 2139095040u) != 0u);
+                    let _e337 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e321 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e321 & 2147483648u))), _e320, _e323) * _e276) * select(0.00000011920929f, 1f, _e323)) * _e282);
+                    let _e341 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e341 {
+                        let _e345 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) * 0.00000011920929f);
+                        phi_599_ = select(0.00000000000011368684f, _e345, (_e345 > 0.00000000000011368684f));
                     } else {
-                        phi_458_ = 0f;
+                        phi_599_ = 0f;
                     }
-                    let _e312 = phi_458_;
-                    let _e313 = (_e290 + _e312);
-                    let _e314 = (_e290 - _e312);
-                    let _e315 = select(_e300, 0f, _e304);
-                    if _e304 {
-                        phi_469_ = 38685626000000000000000000f;
+                    let _e349 = phi_599_;
+                    let _e350 = (_e312 + _e349);
+                    let _e351 = (_e312 - _e349);
+                    let _e352 = select(_e337, 0f, _e341);
+                    if _e341 {
+                        phi_610_ = 38685626000000000000000000f;
                     } else {
-                        phi_469_ = (1f / _e300);
+                        phi_610_ = (1f / _e337);
                     }
-                    let _e318 = phi_469_;
-                    let _e319 = (_e240 == 0u);
-                    if _e319 {
-                        phi_478_ = _e279[0];
+                    let _e355 = phi_610_;
+                    let _e356 = (_e247 == 0u);
+                    if _e356 {
+                        phi_619_ = _e286[0];
                     } else {
-                        phi_478_ = _e279[1];
+                        phi_619_ = _e286[1];
                     }
-                    let _e323 = phi_478_;
-                    let _e324 = (_e240 == 2u);
-                    if _e324 {
-                        phi_484_ = _e279[2];
+                    let _e360 = phi_619_;
+                    let _e361 = (_e247 == 2u);
+                    if _e361 {
+                        phi_625_ = _e286[2];
                     } else {
-                        phi_484_ = _e323;
+                        phi_625_ = _e360;
                     }
-                    let _e327 = phi_484_;
-                    let _e329 = ((_e327 * _e252) * _e258);
-                    if _e319 {
-                        phi_495_ = _e291[0];
+                    let _e364 = phi_625_;
+                    let _e365 = bitcast<u32>(_e364);
+                    let _e367 = ((_e365 & 2139095040u) != 0u);
+                    let _e381 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e365 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e365 & 2147483648u))), _e364, _e367) * _e259) * select(0.00000011920929f, 1f, _e367)) * _e265);
+                    if _e356 {
+                        phi_665_ = _e313[0];
                     } else {
-                        phi_495_ = _e291[1];
+                        phi_665_ = _e313[1];
                     }
-                    let _e333 = phi_495_;
-                    if _e324 {
-                        phi_501_ = _e291[2];
+                    let _e385 = phi_665_;
+                    if _e361 {
+                        phi_671_ = _e313[2];
                     } else {
-                        phi_501_ = _e333;
+                        phi_671_ = _e385;
                     }
-                    let _e336 = phi_501_;
-                    let _e338 = ((_e336 * _e269) * _e275);
-                    let _e342 = (bitcast<f32>((bitcast<u32>(_e338) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e342 {
-                        let _e346 = (bitcast<f32>((bitcast<u32>(_e329) & 2147483647u)) * 0.00000011920929f);
-                        phi_524_ = select(0.00000000000011368684f, _e346, (_e346 > 0.00000000000011368684f));
+                    let _e388 = phi_671_;
+                    let _e389 = bitcast<u32>(_e388);
+                    let _e391 = ((_e389 & 2139095040u) != 0u);
+                    let _e405 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e389 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e389 & 2147483648u))), _e388, _e391) * _e276) * select(0.00000011920929f, 1f, _e391)) * _e282);
+                    let _e409 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e409 {
+                        let _e413 = (bitcast<f32>((bitcast<u32>(_e381) & 2147483647u)) * 0.00000011920929f);
+                        phi_723_ = select(0.00000000000011368684f, _e413, (_e413 > 0.00000000000011368684f));
                     } else {
-                        phi_524_ = 0f;
+                        phi_723_ = 0f;
                     }
-                    let _e350 = phi_524_;
-                    let _e351 = (_e329 + _e350);
-                    let _e352 = (_e329 - _e350);
-                    let _e353 = select(_e338, 0f, _e342);
-                    if _e342 {
-                        phi_535_ = 38685626000000000000000000f;
+                    let _e417 = phi_723_;
+                    let _e418 = (_e381 + _e417);
+                    let _e419 = (_e381 - _e417);
+                    let _e420 = select(_e405, 0f, _e409);
+                    if _e409 {
+                        phi_734_ = 38685626000000000000000000f;
                     } else {
-                        phi_535_ = (1f / _e338);
+                        phi_734_ = (1f / _e405);
                     }
-                    let _e356 = phi_535_;
-                    let _e357 = (_e242 == 0u);
-                    if _e357 {
-                        phi_544_ = _e279[0];
+                    let _e423 = phi_734_;
+                    let _e424 = (_e249 == 0u);
+                    if _e424 {
+                        phi_743_ = _e286[0];
                     } else {
-                        phi_544_ = _e279[1];
+                        phi_743_ = _e286[1];
                     }
-                    let _e361 = phi_544_;
-                    let _e362 = (_e242 == 2u);
-                    if _e362 {
-                        phi_550_ = _e279[2];
+                    let _e428 = phi_743_;
+                    let _e429 = (_e249 == 2u);
+                    if _e429 {
+                        phi_749_ = _e286[2];
                     } else {
-                        phi_550_ = _e361;
+                        phi_749_ = _e428;
                     }
-                    let _e365 = phi_550_;
-                    let _e367 = ((_e365 * _e252) * _e258);
-                    if _e357 {
-                        phi_561_ = _e291[0];
+                    let _e432 = phi_749_;
+                    let _e433 = bitcast<u32>(_e432);
+                    let _e435 = ((_e433 & 2139095040u) != 0u);
+                    let _e449 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e433 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e433 & 2147483648u))), _e432, _e435) * _e259) * select(0.00000011920929f, 1f, _e435)) * _e265);
+                    if _e424 {
+                        phi_789_ = _e313[0];
                     } else {
-                        phi_561_ = _e291[1];
+                        phi_789_ = _e313[1];
                     }
-                    let _e371 = phi_561_;
-                    if _e362 {
-                        phi_567_ = _e291[2];
+                    let _e453 = phi_789_;
+                    if _e429 {
+                        phi_795_ = _e313[2];
                     } else {
-                        phi_567_ = _e371;
+                        phi_795_ = _e453;
                     }
-                    let _e374 = phi_567_;
-                    let _e376 = ((_e374 * _e269) * _e275);
-                    let _e380 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e380 {
-                        let _e384 = (bitcast<f32>((bitcast<u32>(_e367) & 2147483647u)) * 0.00000011920929f);
-                        phi_590_ = select(0.00000000000011368684f, _e384, (_e384 > 0.00000000000011368684f));
+                    let _e456 = phi_795_;
+                    let _e457 = bitcast<u32>(_e456);
+                    let _e459 = ((_e457 & 2139095040u) != 0u);
+                    let _e473 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e457 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e457 & 2147483648u))), _e456, _e459) * _e276) * select(0.00000011920929f, 1f, _e459)) * _e282);
+                    let _e477 = (bitcast<f32>((bitcast<u32>(_e473) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e477 {
+                        let _e481 = (bitcast<f32>((bitcast<u32>(_e449) & 2147483647u)) * 0.00000011920929f);
+                        phi_847_ = select(0.00000000000011368684f, _e481, (_e481 > 0.00000000000011368684f));
                     } else {
-                        phi_590_ = 0f;
+                        phi_847_ = 0f;
                     }
-                    let _e388 = phi_590_;
-                    let _e389 = (_e367 + _e388);
-                    let _e390 = (_e367 - _e388);
-                    let _e391 = select(_e376, 0f, _e380);
-                    if _e380 {
-                        phi_601_ = 38685626000000000000000000f;
+                    let _e485 = phi_847_;
+                    let _e486 = (_e449 + _e485);
+                    let _e487 = (_e449 - _e485);
+                    let _e488 = select(_e473, 0f, _e477);
+                    if _e477 {
+                        phi_858_ = 38685626000000000000000000f;
                     } else {
-                        phi_601_ = (1f / _e376);
+                        phi_858_ = (1f / _e473);
                     }
-                    let _e394 = phi_601_;
-                    let _e397 = bitcast<f32>((bitcast<u32>(_e290) & 2147483647u));
-                    let _e400 = bitcast<f32>((bitcast<u32>(_e329) & 2147483647u));
-                    let _e402 = select(_e400, _e397, (_e397 > _e400));
-                    let _e405 = bitcast<f32>((bitcast<u32>(_e367) & 2147483647u));
-                    let _e408 = (_e117 + _e222);
-                    if (_e203 && (select(_e405, _e402, (_e402 > _e405)) <= 1099511600000f)) {
-                        let _e411 = (_e408 / 3i);
-                        let _e418 = bitcast<f32>((bitcast<u32>((_e411 + 127i)) << bitcast<u32>(23i)));
-                        let _e425 = bitcast<f32>((bitcast<u32>(((_e408 - (2i * _e411)) + 127i)) << bitcast<u32>(23i)));
-                        let _e426 = (((_e188 * _e418) * _e418) * _e425);
-                        let _e428 = select(340282350000000000000000000000000000000f, _e426, (_e426 < 340282350000000000000000000000000000000f));
-                        let _e433 = (((_e197 * _e418) * _e418) * _e425);
-                        let _e435 = select(340282350000000000000000000000000000000f, _e433, (_e433 < 340282350000000000000000000000000000000f));
-                        phi_701_ = select(-340282350000000000000000000000000000000f, _e435, (_e435 > -340282350000000000000000000000000000000f));
-                        phi_702_ = select(-340282350000000000000000000000000000000f, _e428, (_e428 > -340282350000000000000000000000000000000f));
+                    let _e491 = phi_858_;
+                    let _e494 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
+                    let _e497 = bitcast<f32>((bitcast<u32>(_e381) & 2147483647u));
+                    let _e499 = select(_e497, _e494, (_e494 > _e497));
+                    let _e502 = bitcast<f32>((bitcast<u32>(_e449) & 2147483647u));
+                    let _e505 = (_e124 + _e229);
+                    if (_e210 && (select(_e502, _e499, (_e499 > _e502)) <= 1099511600000f)) {
+                        let _e515 = ((_e197 & 8388607u) | (select(0u, 1u, ((_e197 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e518 = bitcast<i32>((_e197 >> bitcast<u32>(23i)));
+                        let _e522 = (_e515 == 0u);
+                        let _e525 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e515)), 32u, _e522)) - 8i);
+                        if (_e518 == 255i) {
+                            phi_913_ = 255i;
+                        } else {
+                            phi_913_ = (((_e518 + select(0i, 1i, (_e518 == 0i))) - _e525) + _e505);
+                        }
+                        let _e533 = phi_913_;
+                        let _e543 = (_e533 <= 0i);
+                        if _e543 {
+                            phi_936_ = u32();
+                        } else {
+                            if _e522 {
+                                phi_935_ = u32();
+                            } else {
+                                phi_935_ = select(((bitcast<u32>(_e533) << bitcast<u32>(23i)) | ((_e515 << bitcast<u32>(((_e525 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e533 >= 255i));
+                            }
+                            let _e547 = phi_935_;
+                            phi_936_ = _e547;
+                        }
+                        let _e549 = phi_936_;
+                        let _e561 = ((_e206 & 8388607u) | (select(0u, 1u, ((_e206 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e564 = bitcast<i32>((_e206 >> bitcast<u32>(23i)));
+                        let _e568 = (_e561 == 0u);
+                        let _e571 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e561)), 32u, _e568)) - 8i);
+                        if (_e564 == 255i) {
+                            phi_973_ = 255i;
+                        } else {
+                            phi_973_ = (((_e564 + select(0i, 1i, (_e564 == 0i))) - _e571) + _e505);
+                        }
+                        let _e579 = phi_973_;
+                        let _e589 = (_e579 <= 0i);
+                        if _e589 {
+                            phi_996_ = u32();
+                        } else {
+                            if _e568 {
+                                phi_995_ = u32();
+                            } else {
+                                phi_995_ = select(((bitcast<u32>(_e579) << bitcast<u32>(23i)) | ((_e561 << bitcast<u32>(((_e571 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e579 >= 255i));
+                            }
+                            let _e593 = phi_995_;
+                            phi_996_ = _e593;
+                        }
+                        let _e595 = phi_996_;
+                        phi_1004_ = bitcast<f32>(((_e205 & 2147483648u) | select(_e595, 0u, select(_e568, true, _e589))));
+                        phi_1005_ = bitcast<f32>(((_e196 & 2147483648u) | select(_e549, 0u, select(_e522, true, _e543))));
                     } else {
-                        phi_701_ = 0f;
-                        phi_702_ = 1f;
+                        phi_1004_ = 0f;
+                        phi_1005_ = 1f;
                     }
-                    let _e439 = phi_701_;
-                    let _e441 = phi_702_;
+                    let _e601 = phi_1004_;
+                    let _e603 = phi_1005_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -488,850 +565,949 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e89), bitcast<f32>(_e93), bitcast<f32>(_e97));
-                    let _e446 = (_e241 % 3u);
-                    let _e447 = (_e446 < 3u);
-                    if _e447 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e96), bitcast<f32>(_e100), bitcast<f32>(_e104));
+                    let _e608 = (_e248 % 3u);
+                    let _e609 = (_e608 < 3u);
+                    if _e609 {
                     } else {
                         break;
                     }
-                    let _e449 = local_9[_e446];
-                    let _e450 = (_e240 % 3u);
-                    let _e451 = (_e450 < 3u);
-                    if _e451 {
+                    let _e611 = local_9[_e608];
+                    let _e612 = (_e247 % 3u);
+                    let _e613 = (_e612 < 3u);
+                    if _e613 {
                     } else {
                         break;
                     }
-                    let _e453 = local_9[_e450];
-                    let _e454 = (_e242 % 3u);
-                    let _e455 = (_e454 < 3u);
-                    if _e455 {
+                    let _e615 = local_9[_e612];
+                    let _e616 = (_e249 % 3u);
+                    let _e617 = (_e616 < 3u);
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e457 = local_9[_e454];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e101), bitcast<f32>(_e105), bitcast<f32>(_e109));
-                    if _e447 {
+                    let _e619 = local_9[_e616];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e108), bitcast<f32>(_e112), bitcast<f32>(_e116));
+                    if _e609 {
                     } else {
                         break;
                     }
-                    let _e461 = local_8[_e446];
-                    if _e451 {
+                    let _e623 = local_8[_e608];
+                    if _e613 {
                     } else {
                         break;
                     }
-                    let _e463 = local_8[_e450];
-                    if _e455 {
+                    let _e625 = local_8[_e612];
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e465 = local_8[_e454];
-                    phi_3145_ = false;
-                    phi_775_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e439);
-                    phi_778_ = type_50(type_42(array<f32, 3>(_e449, _e453, _e457), array<f32, 3>(_e461, _e463, _e465)), select(0u, 2147483648u, (_e78 == 0u)));
-                    phi_780_ = ((3u * _e78) + 1u);
-                    phi_782_ = (_e441 <= _e439);
-                    phi_784_ = 0u;
+                    let _e627 = local_8[_e616];
+                    phi_3588_ = false;
+                    phi_1078_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e601);
+                    phi_1081_ = type_50(type_42(array<f32, 3>(_e611, _e615, _e619), array<f32, 3>(_e623, _e625, _e627)), select(0u, 2147483648u, (_e85 == 0u)));
+                    phi_1083_ = ((3u * _e85) + 1u);
+                    phi_1085_ = (_e603 <= _e601);
+                    phi_1087_ = 0u;
                     loop {
-                        let _e473 = phi_3145_;
-                        let _e475 = phi_775_;
-                        let _e477 = phi_778_;
-                        let _e479 = phi_780_;
-                        let _e481 = phi_782_;
-                        let _e483 = phi_784_;
-                        local_10 = _e475;
-                        if _e481 {
-                            phi_795_ = true;
+                        let _e635 = phi_3588_;
+                        let _e637 = phi_1078_;
+                        let _e639 = phi_1081_;
+                        let _e641 = phi_1083_;
+                        let _e643 = phi_1085_;
+                        let _e645 = phi_1087_;
+                        local_10 = _e637;
+                        if _e643 {
+                            phi_1098_ = true;
                         } else {
-                            phi_795_ = (_e483 > 0u);
+                            phi_1098_ = (_e645 > 0u);
                         }
-                        let _e486 = phi_795_;
-                        if _e486 {
-                            let _e487 = (_e479 > 0u);
-                            if _e487 {
-                                if _e481 {
-                                    phi_881_ = _e477;
-                                    phi_882_ = _e481;
-                                    phi_883_ = _e483;
+                        let _e648 = phi_1098_;
+                        if _e648 {
+                            let _e649 = (_e641 > 0u);
+                            if _e649 {
+                                if _e643 {
+                                    phi_1184_ = _e639;
+                                    phi_1185_ = _e643;
+                                    phi_1186_ = _e645;
                                 } else {
-                                    let _e488 = (_e483 - 1u);
-                                    let _e489 = (_e488 % 128u);
-                                    let _e490 = (_e489 < 128u);
-                                    if _e490 {
+                                    let _e650 = (_e645 - 1u);
+                                    let _e651 = (_e650 % 128u);
+                                    let _e652 = (_e651 < 128u);
+                                    if _e652 {
                                     } else {
-                                        phi_3299_ = true;
+                                        phi_3760_ = true;
                                         break;
                                     }
-                                    let _e492 = local_6[_e489];
-                                    if _e490 {
+                                    let _e654 = local_6[_e651];
+                                    if _e652 {
                                     } else {
-                                        phi_3299_ = true;
+                                        phi_3760_ = true;
                                         break;
                                     }
-                                    let _e494 = local_5[_e489];
-                                    if _e490 {
+                                    let _e656 = local_5[_e651];
+                                    if _e652 {
                                     } else {
-                                        phi_3299_ = true;
+                                        phi_3760_ = true;
                                         break;
                                     }
-                                    let _e496 = local_4[_e489];
-                                    if _e490 {
+                                    let _e658 = local_4[_e651];
+                                    if _e652 {
                                     } else {
-                                        phi_3299_ = true;
+                                        phi_3760_ = true;
                                         break;
                                     }
-                                    let _e498 = local_3[_e489];
-                                    if _e490 {
+                                    let _e660 = local_3[_e651];
+                                    if _e652 {
                                     } else {
-                                        phi_3299_ = true;
+                                        phi_3760_ = true;
                                         break;
                                     }
-                                    let _e501 = local_2[_e489];
-                                    if _e490 {
+                                    let _e663 = local_2[_e651];
+                                    if _e652 {
                                     } else {
-                                        phi_3299_ = true;
+                                        phi_3760_ = true;
                                         break;
                                     }
-                                    let _e503 = local_1[_e489];
-                                    if _e490 {
+                                    let _e665 = local_1[_e651];
+                                    if _e652 {
                                     } else {
-                                        phi_3299_ = true;
+                                        phi_3760_ = true;
                                         break;
                                     }
-                                    let _e505 = local[_e489];
-                                    if _e490 {
+                                    let _e667 = local[_e651];
+                                    if _e652 {
                                     } else {
-                                        phi_3299_ = true;
+                                        phi_3760_ = true;
                                         break;
                                     }
-                                    let _e510 = local_7[_e489];
-                                    phi_881_ = type_50(type_42(array<f32, 3>(_e494, _e496, _e498), array<f32, 3>(_e501, _e503, _e505)), _e492);
-                                    phi_882_ = (_e510 <= _e475.member_1);
-                                    phi_883_ = _e488;
+                                    let _e672 = local_7[_e651];
+                                    phi_1184_ = type_50(type_42(array<f32, 3>(_e656, _e658, _e660), array<f32, 3>(_e663, _e665, _e667)), _e654);
+                                    phi_1185_ = (_e672 <= _e637.member_1);
+                                    phi_1186_ = _e650;
                                 }
-                                let _e514 = phi_881_;
-                                let _e516 = phi_882_;
-                                let _e518 = phi_883_;
-                                if _e516 {
-                                    if ((_e514.member_1 & 2147483648u) != 0u) {
-                                        phi_902_ = _e475;
-                                        phi_905_ = type_4(0u, ((_e514.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e676 = phi_1184_;
+                                let _e678 = phi_1185_;
+                                let _e680 = phi_1186_;
+                                if _e678 {
+                                    if ((_e676.member_1 & 2147483648u) != 0u) {
+                                        phi_1205_ = _e637;
+                                        phi_1208_ = type_4(0u, ((_e676.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e871 = phi_902_;
-                                            let _e873 = phi_905_;
-                                            local_11 = _e871;
-                                            if (_e873.member < _e873.member_1) {
-                                                phi_906_ = type_4((_e873.member + 1u), _e873.member_1);
-                                                phi_928_ = type_4(1u, _e873.member);
+                                            let _e1057 = phi_1205_;
+                                            let _e1059 = phi_1208_;
+                                            local_11 = _e1057;
+                                            if (_e1059.member < _e1059.member_1) {
+                                                phi_1209_ = type_4((_e1059.member + 1u), _e1059.member_1);
+                                                phi_1231_ = type_4(1u, _e1059.member);
                                             } else {
-                                                phi_906_ = _e873;
-                                                phi_928_ = type_4(0u, type_4().member_1);
+                                                phi_1209_ = _e1059;
+                                                phi_1231_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e886 = phi_906_;
-                                            let _e888 = phi_928_;
-                                            let _e892 = (bitcast<i32>(_e888.member) != 0i);
-                                            if _e892 {
-                                                let _e893 = ((_e514.member_1 & 268435455u) + _e888.member_1);
-                                                let _e894 = (_e893 < arrayLength((&global_6.member)));
-                                                if _e894 {
-                                                    if _e894 {
+                                            let _e1072 = phi_1209_;
+                                            let _e1074 = phi_1231_;
+                                            let _e1078 = (bitcast<i32>(_e1074.member) != 0i);
+                                            if _e1078 {
+                                                let _e1079 = ((_e676.member_1 & 268435455u) + _e1074.member_1);
+                                                let _e1080 = (_e1079 < arrayLength((&global_6.member)));
+                                                if _e1080 {
+                                                    if _e1080 {
                                                     } else {
-                                                        phi_3139_ = true;
+                                                        phi_3582_ = true;
                                                         break;
                                                     }
-                                                    let _e897 = global_6.member[_e893].member_1;
-                                                    phi_953_ = _e897;
+                                                    let _e1083 = global_6.member[_e1079].member_1;
+                                                    phi_1256_ = _e1083;
                                                 } else {
-                                                    phi_953_ = 4294967295u;
+                                                    phi_1256_ = 4294967295u;
                                                 }
-                                                let _e899 = phi_953_;
-                                                if _e894 {
-                                                    if _e894 {
+                                                let _e1085 = phi_1256_;
+                                                if _e1080 {
+                                                    if _e1080 {
                                                     } else {
-                                                        phi_3139_ = true;
+                                                        phi_3582_ = true;
                                                         break;
                                                     }
-                                                    let _e901 = global_6.member[_e893];
-                                                    phi_969_ = _e901;
+                                                    let _e1087 = global_6.member[_e1079];
+                                                    phi_1272_ = _e1087;
                                                 } else {
-                                                    phi_969_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1272_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e903 = phi_969_;
-                                                let _e915 = ((10u * _e241) & 31u);
-                                                let _e918 = ((_e903.member[0] >> bitcast<u32>(_e915)) & 1023u);
-                                                let _e923 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[0] - _e514.member.member[0]) * 0.0009775171f)) ^ _e113));
-                                                let _e929 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e918) * _e923)) ^ _e113)));
-                                                let _e933 = select(select(_e514.member.member_1[0], _e929, (_e929 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e918 == 1023u));
-                                                let _e935 = ((10u * _e240) & 31u);
-                                                let _e938 = ((_e903.member[0] >> bitcast<u32>(_e935)) & 1023u);
-                                                let _e943 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[1] - _e514.member.member[1]) * 0.0009775171f)) ^ _e113));
-                                                let _e949 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e938) * _e943)) ^ _e113)));
-                                                let _e953 = select(select(_e514.member.member_1[1], _e949, (_e949 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e938 == 1023u));
-                                                let _e955 = ((10u * _e242) & 31u);
-                                                let _e958 = ((_e903.member[0] >> bitcast<u32>(_e955)) & 1023u);
-                                                let _e963 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[2] - _e514.member.member[2]) * 0.0009775171f)) ^ _e113));
-                                                let _e969 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e958) * _e963)) ^ _e113)));
-                                                let _e973 = select(select(_e514.member.member_1[2], _e969, (_e969 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e958 == 1023u));
-                                                let _e977 = ((_e903.member[1] >> bitcast<u32>(_e915)) & 1023u);
-                                                let _e983 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e977) * _e923)) ^ _e113)));
-                                                let _e987 = select(select(_e514.member.member_1[0], _e983, (_e983 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e977 == 1023u));
-                                                let _e990 = ((_e903.member[1] >> bitcast<u32>(_e935)) & 1023u);
-                                                let _e996 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e990) * _e943)) ^ _e113)));
-                                                let _e1000 = select(select(_e514.member.member_1[1], _e996, (_e996 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e990 == 1023u));
-                                                let _e1003 = ((_e903.member[1] >> bitcast<u32>(_e955)) & 1023u);
-                                                let _e1009 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1003) * _e963)) ^ _e113)));
-                                                let _e1013 = select(select(_e514.member.member_1[2], _e1009, (_e1009 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e1003 == 1023u));
-                                                let _e1017 = ((_e903.member[2] >> bitcast<u32>(_e915)) & 1023u);
-                                                let _e1023 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1017) * _e923)) ^ _e113)));
-                                                let _e1027 = select(select(_e514.member.member_1[0], _e1023, (_e1023 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e1017 == 1023u));
-                                                let _e1030 = ((_e903.member[2] >> bitcast<u32>(_e935)) & 1023u);
-                                                let _e1036 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1030) * _e943)) ^ _e113)));
-                                                let _e1040 = select(select(_e514.member.member_1[1], _e1036, (_e1036 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e1030 == 1023u));
-                                                let _e1043 = ((_e903.member[2] >> bitcast<u32>(_e955)) & 1023u);
-                                                let _e1049 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1043) * _e963)) ^ _e113)));
-                                                let _e1053 = select(select(_e514.member.member_1[2], _e1049, (_e1049 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e1043 == 1023u));
-                                                let _e1057 = (_e973 - _e367);
-                                                let _e1060 = (((_e933 - _e290) * _e391) - (_e1057 * _e315));
-                                                let _e1063 = (((_e953 - _e329) * _e391) - (_e1057 * _e353));
-                                                let _e1066 = (_e1013 - _e367);
-                                                let _e1069 = (((_e987 - _e290) * _e391) - (_e1066 * _e315));
-                                                let _e1072 = (((_e1000 - _e329) * _e391) - (_e1066 * _e353));
-                                                let _e1075 = (_e1053 - _e367);
-                                                let _e1078 = (((_e1027 - _e290) * _e391) - (_e1075 * _e315));
-                                                let _e1081 = (((_e1040 - _e329) * _e391) - (_e1075 * _e353));
-                                                let _e1082 = (_e1078 * _e1072);
-                                                let _e1083 = (_e1081 * _e1069);
-                                                let _e1084 = (_e1060 * _e1081);
-                                                let _e1085 = (_e1063 * _e1078);
-                                                let _e1086 = (_e1069 * _e1063);
-                                                let _e1087 = (_e1072 * _e1060);
-                                                let _e1092 = (((_e1082 >= _e1083) && (_e1084 >= _e1085)) && (_e1086 >= _e1087));
-                                                if (_e1092 || (((_e1082 <= _e1083) && (_e1084 <= _e1085)) && (_e1086 <= _e1087))) {
-                                                    let _e1099 = select(-1f, 1f, _e1092);
-                                                    let _e1101 = ((_e1082 - _e1083) * _e1099);
-                                                    let _e1103 = select(0f, _e1101, (_e1101 > 0f));
-                                                    let _e1105 = ((_e1084 - _e1085) * _e1099);
-                                                    let _e1107 = select(0f, _e1105, (_e1105 > 0f));
-                                                    let _e1109 = ((_e1086 - _e1087) * _e1099);
-                                                    let _e1111 = select(0f, _e1109, (_e1109 > 0f));
-                                                    let _e1113 = ((_e1103 + _e1107) + _e1111);
-                                                    if (_e1113 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2029_ = type_18();
-                                                        phi_2030_ = true;
-                                                        phi_2031_ = false;
+                                                let _e1089 = phi_1272_;
+                                                let _e1101 = ((10u * _e248) & 31u);
+                                                let _e1104 = ((_e1089.member[0] >> bitcast<u32>(_e1101)) & 1023u);
+                                                let _e1112 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[0] - _e676.member.member[0]) * 0.0009775171f)) ^ _e120));
+                                                let _e1117 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1104)) - 8388608f) * _e1112)) ^ _e120)));
+                                                let _e1121 = select(select(_e676.member.member_1[0], _e1117, (_e1117 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e1104 == 1023u));
+                                                let _e1123 = ((10u * _e247) & 31u);
+                                                let _e1126 = ((_e1089.member[0] >> bitcast<u32>(_e1123)) & 1023u);
+                                                let _e1134 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[1] - _e676.member.member[1]) * 0.0009775171f)) ^ _e120));
+                                                let _e1139 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1126)) - 8388608f) * _e1134)) ^ _e120)));
+                                                let _e1143 = select(select(_e676.member.member_1[1], _e1139, (_e1139 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e1126 == 1023u));
+                                                let _e1145 = ((10u * _e249) & 31u);
+                                                let _e1148 = ((_e1089.member[0] >> bitcast<u32>(_e1145)) & 1023u);
+                                                let _e1156 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[2] - _e676.member.member[2]) * 0.0009775171f)) ^ _e120));
+                                                let _e1161 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1148)) - 8388608f) * _e1156)) ^ _e120)));
+                                                let _e1165 = select(select(_e676.member.member_1[2], _e1161, (_e1161 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e1148 == 1023u));
+                                                let _e1169 = ((_e1089.member[1] >> bitcast<u32>(_e1101)) & 1023u);
+                                                let _e1177 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1169)) - 8388608f) * _e1112)) ^ _e120)));
+                                                let _e1181 = select(select(_e676.member.member_1[0], _e1177, (_e1177 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e1169 == 1023u));
+                                                let _e1184 = ((_e1089.member[1] >> bitcast<u32>(_e1123)) & 1023u);
+                                                let _e1192 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1184)) - 8388608f) * _e1134)) ^ _e120)));
+                                                let _e1196 = select(select(_e676.member.member_1[1], _e1192, (_e1192 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e1184 == 1023u));
+                                                let _e1199 = ((_e1089.member[1] >> bitcast<u32>(_e1145)) & 1023u);
+                                                let _e1207 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1199)) - 8388608f) * _e1156)) ^ _e120)));
+                                                let _e1211 = select(select(_e676.member.member_1[2], _e1207, (_e1207 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e1199 == 1023u));
+                                                let _e1215 = ((_e1089.member[2] >> bitcast<u32>(_e1101)) & 1023u);
+                                                let _e1223 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1215)) - 8388608f) * _e1112)) ^ _e120)));
+                                                let _e1227 = select(select(_e676.member.member_1[0], _e1223, (_e1223 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e1215 == 1023u));
+                                                let _e1230 = ((_e1089.member[2] >> bitcast<u32>(_e1123)) & 1023u);
+                                                let _e1238 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1230)) - 8388608f) * _e1134)) ^ _e120)));
+                                                let _e1242 = select(select(_e676.member.member_1[1], _e1238, (_e1238 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e1230 == 1023u));
+                                                let _e1245 = ((_e1089.member[2] >> bitcast<u32>(_e1145)) & 1023u);
+                                                let _e1253 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1245)) - 8388608f) * _e1156)) ^ _e120)));
+                                                let _e1257 = select(select(_e676.member.member_1[2], _e1253, (_e1253 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e1245 == 1023u));
+                                                let _e1261 = (_e1165 - _e449);
+                                                let _e1264 = (((_e1121 - _e312) * _e488) - (_e1261 * _e352));
+                                                let _e1267 = (((_e1143 - _e381) * _e488) - (_e1261 * _e420));
+                                                let _e1270 = (_e1211 - _e449);
+                                                let _e1273 = (((_e1181 - _e312) * _e488) - (_e1270 * _e352));
+                                                let _e1276 = (((_e1196 - _e381) * _e488) - (_e1270 * _e420));
+                                                let _e1279 = (_e1257 - _e449);
+                                                let _e1282 = (((_e1227 - _e312) * _e488) - (_e1279 * _e352));
+                                                let _e1285 = (((_e1242 - _e381) * _e488) - (_e1279 * _e420));
+                                                let _e1286 = (_e1282 * _e1276);
+                                                let _e1287 = (_e1285 * _e1273);
+                                                let _e1288 = (_e1264 * _e1285);
+                                                let _e1289 = (_e1267 * _e1282);
+                                                let _e1290 = (_e1273 * _e1267);
+                                                let _e1291 = (_e1276 * _e1264);
+                                                let _e1296 = (((_e1286 >= _e1287) && (_e1288 >= _e1289)) && (_e1290 >= _e1291));
+                                                if (_e1296 || (((_e1286 <= _e1287) && (_e1288 <= _e1289)) && (_e1290 <= _e1291))) {
+                                                    let _e1303 = select(-1f, 1f, _e1296);
+                                                    let _e1305 = ((_e1286 - _e1287) * _e1303);
+                                                    let _e1307 = select(0f, _e1305, (_e1305 > 0f));
+                                                    let _e1309 = ((_e1288 - _e1289) * _e1303);
+                                                    let _e1311 = select(0f, _e1309, (_e1309 > 0f));
+                                                    let _e1313 = ((_e1290 - _e1291) * _e1303);
+                                                    let _e1315 = select(0f, _e1313, (_e1313 > 0f));
+                                                    let _e1317 = ((_e1307 + _e1311) + _e1315);
+                                                    if (_e1317 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2350_ = type_18();
+                                                        phi_2351_ = true;
+                                                        phi_2352_ = false;
                                                     } else {
-                                                        let _e1116 = select(_e1069, _e1060, (_e1060 < _e1069));
-                                                        if (select(_e1078, _e1116, (_e1116 < _e1078)) > 0f) {
-                                                            phi_1345_ = true;
+                                                        let _e1320 = select(_e1273, _e1264, (_e1264 < _e1273));
+                                                        if (select(_e1282, _e1320, (_e1320 < _e1282)) > 0f) {
+                                                            phi_1666_ = true;
                                                         } else {
-                                                            let _e1121 = select(_e1069, _e1060, (_e1060 > _e1069));
-                                                            phi_1345_ = (select(_e1078, _e1121, (_e1121 > _e1078)) < 0f);
+                                                            let _e1325 = select(_e1273, _e1264, (_e1264 > _e1273));
+                                                            phi_1666_ = (select(_e1282, _e1325, (_e1325 > _e1282)) < 0f);
                                                         }
-                                                        let _e1126 = phi_1345_;
-                                                        if _e1126 {
-                                                            phi_2026_ = type_18();
-                                                            phi_2027_ = true;
-                                                            phi_2028_ = false;
+                                                        let _e1330 = phi_1666_;
+                                                        if _e1330 {
+                                                            phi_2347_ = type_18();
+                                                            phi_2348_ = true;
+                                                            phi_2349_ = false;
                                                         } else {
-                                                            let _e1128 = select(_e1072, _e1063, (_e1063 < _e1072));
-                                                            if (select(_e1081, _e1128, (_e1128 < _e1081)) > 0f) {
-                                                                phi_1374_ = true;
+                                                            let _e1332 = select(_e1276, _e1267, (_e1267 < _e1276));
+                                                            if (select(_e1285, _e1332, (_e1332 < _e1285)) > 0f) {
+                                                                phi_1695_ = true;
                                                             } else {
-                                                                let _e1133 = select(_e1072, _e1063, (_e1063 > _e1072));
-                                                                phi_1374_ = (select(_e1081, _e1133, (_e1133 > _e1081)) < 0f);
+                                                                let _e1337 = select(_e1276, _e1267, (_e1267 > _e1276));
+                                                                phi_1695_ = (select(_e1285, _e1337, (_e1337 > _e1285)) < 0f);
                                                             }
-                                                            let _e1138 = phi_1374_;
-                                                            if _e1138 {
-                                                                phi_2024_ = type_18();
-                                                                phi_2025_ = false;
+                                                            let _e1342 = phi_1695_;
+                                                            if _e1342 {
+                                                                phi_2345_ = type_18();
+                                                                phi_2346_ = false;
                                                             } else {
-                                                                let _e1140 = select(_e987, _e933, (_e933 < _e987));
-                                                                let _e1144 = select(_e987, _e933, (_e933 > _e987));
-                                                                let _e1148 = select(_e1000, _e953, (_e953 < _e1000));
-                                                                let _e1152 = select(_e1000, _e953, (_e953 > _e1000));
-                                                                let _e1156 = select(_e1013, _e973, (_e973 < _e1013));
-                                                                let _e1160 = select(_e1013, _e973, (_e973 > _e1013));
-                                                                let _e1165 = ((select(_e1027, _e1140, (_e1140 < _e1027)) - _e313) * _e318);
-                                                                let _e1166 = ((select(_e1027, _e1144, (_e1144 > _e1027)) - _e314) * _e318);
-                                                                let _e1169 = ((select(_e1040, _e1148, (_e1148 < _e1040)) - _e351) * _e356);
-                                                                let _e1170 = ((select(_e1040, _e1152, (_e1152 > _e1040)) - _e352) * _e356);
-                                                                let _e1173 = ((select(_e1053, _e1156, (_e1156 < _e1053)) - _e389) * _e394);
-                                                                let _e1174 = ((select(_e1053, _e1160, (_e1160 > _e1053)) - _e390) * _e394);
-                                                                let _e1176 = select(_e1174, _e1173, (_e1173 < _e1174));
-                                                                let _e1178 = select(_e1174, _e1173, (_e1173 > _e1174));
-                                                                let _e1180 = select(_e1166, _e1165, (_e1165 < _e1166));
-                                                                let _e1182 = select(_e1170, _e1169, (_e1169 < _e1170));
-                                                                let _e1184 = select(_e1182, _e1180, (_e1180 > _e1182));
-                                                                let _e1186 = select(_e1176, _e1184, (_e1184 > _e1176));
-                                                                let _e1188 = select(_e1166, _e1165, (_e1165 > _e1166));
-                                                                let _e1190 = select(_e1170, _e1169, (_e1169 > _e1170));
-                                                                let _e1192 = select(_e1190, _e1188, (_e1188 < _e1190));
-                                                                let _e1194 = select(_e1178, _e1192, (_e1192 < _e1178));
-                                                                let _e1195 = -(_e1176);
-                                                                let _e1201 = select(_e441, _e1186, (_e1186 > _e441));
-                                                                if (_e1201 > (_e1194 + (select(_e1195, _e1178, (_e1178 > _e1195)) * 0.0000019073523f))) {
-                                                                    phi_2019_ = type_18();
-                                                                    phi_2020_ = true;
+                                                                let _e1344 = select(_e1181, _e1121, (_e1121 < _e1181));
+                                                                let _e1348 = select(_e1181, _e1121, (_e1121 > _e1181));
+                                                                let _e1352 = select(_e1196, _e1143, (_e1143 < _e1196));
+                                                                let _e1356 = select(_e1196, _e1143, (_e1143 > _e1196));
+                                                                let _e1360 = select(_e1211, _e1165, (_e1165 < _e1211));
+                                                                let _e1364 = select(_e1211, _e1165, (_e1165 > _e1211));
+                                                                let _e1369 = ((select(_e1227, _e1344, (_e1344 < _e1227)) - _e350) * _e355);
+                                                                let _e1370 = ((select(_e1227, _e1348, (_e1348 > _e1227)) - _e351) * _e355);
+                                                                let _e1373 = ((select(_e1242, _e1352, (_e1352 < _e1242)) - _e418) * _e423);
+                                                                let _e1374 = ((select(_e1242, _e1356, (_e1356 > _e1242)) - _e419) * _e423);
+                                                                let _e1377 = ((select(_e1257, _e1360, (_e1360 < _e1257)) - _e486) * _e491);
+                                                                let _e1378 = ((select(_e1257, _e1364, (_e1364 > _e1257)) - _e487) * _e491);
+                                                                let _e1380 = select(_e1378, _e1377, (_e1377 < _e1378));
+                                                                let _e1382 = select(_e1378, _e1377, (_e1377 > _e1378));
+                                                                let _e1384 = select(_e1370, _e1369, (_e1369 < _e1370));
+                                                                let _e1386 = select(_e1374, _e1373, (_e1373 < _e1374));
+                                                                let _e1388 = select(_e1386, _e1384, (_e1384 > _e1386));
+                                                                let _e1390 = select(_e1380, _e1388, (_e1388 > _e1380));
+                                                                let _e1392 = select(_e1370, _e1369, (_e1369 > _e1370));
+                                                                let _e1394 = select(_e1374, _e1373, (_e1373 > _e1374));
+                                                                let _e1396 = select(_e1394, _e1392, (_e1392 < _e1394));
+                                                                let _e1398 = select(_e1382, _e1396, (_e1396 < _e1382));
+                                                                let _e1399 = -(_e1380);
+                                                                let _e1405 = select(_e603, _e1390, (_e1390 > _e603));
+                                                                if (_e1405 > (_e1398 + (select(_e1399, _e1382, (_e1382 > _e1399)) * 0.0000019073523f))) {
+                                                                    phi_2340_ = type_18();
+                                                                    phi_2341_ = true;
                                                                 } else {
-                                                                    let _e1203 = (_e1201 > _e871.member_1);
-                                                                    if _e1203 {
-                                                                        phi_2018_ = type_18();
+                                                                    let _e1407 = (_e1405 > _e1057.member_1);
+                                                                    if _e1407 {
+                                                                        phi_2339_ = type_18();
                                                                     } else {
-                                                                        let _e1204 = vec3<f32>(_e933, _e953, _e973);
-                                                                        let _e1205 = vec3<f32>(_e987, _e1000, _e1013);
-                                                                        let _e1206 = vec3<f32>(_e1027, _e1040, _e1053);
-                                                                        let _e1207 = (_e987 - _e933);
-                                                                        let _e1208 = (_e1000 - _e953);
-                                                                        let _e1209 = (_e1013 - _e973);
-                                                                        let _e1210 = vec3<f32>(_e1207, _e1208, _e1209);
-                                                                        let _e1211 = (_e1027 - _e987);
-                                                                        let _e1212 = (_e1040 - _e1000);
-                                                                        let _e1213 = (_e1053 - _e1013);
-                                                                        let _e1214 = vec3<f32>(_e1211, _e1212, _e1213);
-                                                                        let _e1215 = (_e933 - _e1027);
-                                                                        let _e1216 = (_e953 - _e1040);
-                                                                        let _e1217 = (_e973 - _e1053);
-                                                                        let _e1218 = vec3<f32>(_e1215, _e1216, _e1217);
-                                                                        let _e1221 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
-                                                                        let _e1224 = bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u));
-                                                                        let _e1226 = select(_e1224, _e1221, (_e1221 > _e1224));
-                                                                        let _e1229 = bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u));
-                                                                        let _e1231 = select(_e1229, _e1226, (_e1226 > _e1229));
-                                                                        let _e1234 = bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u));
-                                                                        let _e1237 = bitcast<f32>((bitcast<u32>(_e1212) & 2147483647u));
-                                                                        let _e1239 = select(_e1237, _e1234, (_e1234 > _e1237));
-                                                                        let _e1242 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
-                                                                        let _e1244 = select(_e1242, _e1239, (_e1239 > _e1242));
-                                                                        let _e1247 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
-                                                                        let _e1250 = bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u));
-                                                                        let _e1252 = select(_e1250, _e1247, (_e1247 > _e1250));
-                                                                        let _e1255 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
-                                                                        let _e1257 = select(_e1255, _e1252, (_e1252 > _e1255));
-                                                                        let _e1259 = select(_e1244, _e1231, (_e1231 > _e1244));
-                                                                        let _e1261 = select(_e1257, _e1259, (_e1259 > _e1257));
-                                                                        if (_e1231 == _e1261) {
-                                                                            phi_1751_ = _e1072;
-                                                                            phi_1752_ = _e1069;
-                                                                            phi_1753_ = _e1063;
-                                                                            phi_1754_ = _e1060;
-                                                                            phi_1755_ = _e1204;
-                                                                            phi_1756_ = _e1218;
-                                                                            phi_1757_ = _e1214;
-                                                                            phi_1758_ = _e1210;
+                                                                        let _e1408 = vec3<f32>(_e1121, _e1143, _e1165);
+                                                                        let _e1409 = vec3<f32>(_e1181, _e1196, _e1211);
+                                                                        let _e1410 = vec3<f32>(_e1227, _e1242, _e1257);
+                                                                        let _e1411 = (_e1181 - _e1121);
+                                                                        let _e1412 = (_e1196 - _e1143);
+                                                                        let _e1413 = (_e1211 - _e1165);
+                                                                        let _e1414 = vec3<f32>(_e1411, _e1412, _e1413);
+                                                                        let _e1415 = (_e1227 - _e1181);
+                                                                        let _e1416 = (_e1242 - _e1196);
+                                                                        let _e1417 = (_e1257 - _e1211);
+                                                                        let _e1418 = vec3<f32>(_e1415, _e1416, _e1417);
+                                                                        let _e1419 = (_e1121 - _e1227);
+                                                                        let _e1420 = (_e1143 - _e1242);
+                                                                        let _e1421 = (_e1165 - _e1257);
+                                                                        let _e1422 = vec3<f32>(_e1419, _e1420, _e1421);
+                                                                        let _e1425 = bitcast<f32>((bitcast<u32>(_e1411) & 2147483647u));
+                                                                        let _e1428 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
+                                                                        let _e1430 = select(_e1428, _e1425, (_e1425 > _e1428));
+                                                                        let _e1433 = bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u));
+                                                                        let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
+                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
+                                                                        let _e1441 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
+                                                                        let _e1443 = select(_e1441, _e1438, (_e1438 > _e1441));
+                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
+                                                                        let _e1448 = select(_e1446, _e1443, (_e1443 > _e1446));
+                                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
+                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
+                                                                        let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
+                                                                        let _e1459 = bitcast<f32>((bitcast<u32>(_e1421) & 2147483647u));
+                                                                        let _e1461 = select(_e1459, _e1456, (_e1456 > _e1459));
+                                                                        let _e1463 = select(_e1448, _e1435, (_e1435 > _e1448));
+                                                                        let _e1465 = select(_e1461, _e1463, (_e1463 > _e1461));
+                                                                        if (_e1435 == _e1465) {
+                                                                            phi_2072_ = _e1276;
+                                                                            phi_2073_ = _e1273;
+                                                                            phi_2074_ = _e1267;
+                                                                            phi_2075_ = _e1264;
+                                                                            phi_2076_ = _e1408;
+                                                                            phi_2077_ = _e1422;
+                                                                            phi_2078_ = _e1418;
+                                                                            phi_2079_ = _e1414;
                                                                         } else {
-                                                                            let _e1263 = (_e1244 == _e1261);
-                                                                            let _e1268 = vec3(_e1263);
-                                                                            phi_1751_ = select(_e1063, _e1081, _e1263);
-                                                                            phi_1752_ = select(_e1060, _e1078, _e1263);
-                                                                            phi_1753_ = select(_e1081, _e1072, _e1263);
-                                                                            phi_1754_ = select(_e1078, _e1069, _e1263);
-                                                                            phi_1755_ = select(_e1206, _e1205, _e1268);
-                                                                            phi_1756_ = select(_e1214, _e1210, _e1268);
-                                                                            phi_1757_ = select(_e1210, _e1218, _e1268);
-                                                                            phi_1758_ = select(_e1218, _e1214, _e1268);
+                                                                            let _e1467 = (_e1448 == _e1465);
+                                                                            let _e1472 = vec3(_e1467);
+                                                                            phi_2072_ = select(_e1267, _e1285, _e1467);
+                                                                            phi_2073_ = select(_e1264, _e1282, _e1467);
+                                                                            phi_2074_ = select(_e1285, _e1276, _e1467);
+                                                                            phi_2075_ = select(_e1282, _e1273, _e1467);
+                                                                            phi_2076_ = select(_e1410, _e1409, _e1472);
+                                                                            phi_2077_ = select(_e1418, _e1414, _e1472);
+                                                                            phi_2078_ = select(_e1414, _e1422, _e1472);
+                                                                            phi_2079_ = select(_e1422, _e1418, _e1472);
                                                                         }
-                                                                        let _e1274 = phi_1751_;
-                                                                        let _e1276 = phi_1752_;
-                                                                        let _e1278 = phi_1753_;
-                                                                        let _e1280 = phi_1754_;
-                                                                        let _e1282 = phi_1755_;
-                                                                        let _e1284 = phi_1756_;
-                                                                        let _e1286 = phi_1757_;
-                                                                        let _e1288 = phi_1758_;
-                                                                        let _e1295 = ((_e1286.y * _e1284.z) - (_e1284.y * _e1286.z));
-                                                                        let _e1300 = ((_e1286.z * _e1284.x) - (_e1284.z * _e1286.x));
-                                                                        let _e1303 = ((_e1286.x * _e1284.y) - (_e1284.x * _e1286.y));
-                                                                        if (_e1103 >= _e1107) {
-                                                                            phi_1789_ = select(true, false, (_e1103 >= _e1111));
+                                                                        let _e1478 = phi_2072_;
+                                                                        let _e1480 = phi_2073_;
+                                                                        let _e1482 = phi_2074_;
+                                                                        let _e1484 = phi_2075_;
+                                                                        let _e1486 = phi_2076_;
+                                                                        let _e1488 = phi_2077_;
+                                                                        let _e1490 = phi_2078_;
+                                                                        let _e1492 = phi_2079_;
+                                                                        let _e1499 = ((_e1490.y * _e1488.z) - (_e1488.y * _e1490.z));
+                                                                        let _e1504 = ((_e1490.z * _e1488.x) - (_e1488.z * _e1490.x));
+                                                                        let _e1507 = ((_e1490.x * _e1488.y) - (_e1488.x * _e1490.y));
+                                                                        if (_e1307 >= _e1311) {
+                                                                            phi_2110_ = select(true, false, (_e1307 >= _e1315));
                                                                         } else {
-                                                                            phi_1789_ = true;
+                                                                            phi_2110_ = true;
                                                                         }
-                                                                        let _e1308 = phi_1789_;
-                                                                        if _e1308 {
-                                                                            phi_1798_ = select(_e1206, _e1205, vec3((_e1107 >= _e1111)));
+                                                                        let _e1512 = phi_2110_;
+                                                                        if _e1512 {
+                                                                            phi_2119_ = select(_e1410, _e1409, vec3((_e1311 >= _e1315)));
                                                                         } else {
-                                                                            phi_1798_ = _e1204;
+                                                                            phi_2119_ = _e1408;
                                                                         }
-                                                                        let _e1313 = phi_1798_;
-                                                                        let _e1324 = (((_e1295 * (_e1313.x - _e290)) + (_e1300 * (_e1313.y - _e329))) + (_e1303 * (_e1313.z - _e367)));
-                                                                        let _e1329 = (((_e1295 * _e315) + (_e1300 * _e353)) + (_e1303 * _e391));
-                                                                        let _e1330 = (_e1276 - _e1280);
-                                                                        let _e1331 = (_e1274 - _e1278);
-                                                                        let _e1339 = (-(((_e1280 * _e1330) + (_e1278 * _e1331))) / ((_e1330 * _e1330) + (_e1331 * _e1331)));
-                                                                        let _e1341 = select(1f, _e1339, (_e1339 < 1f));
-                                                                        let _e1343 = select(0f, _e1341, (_e1341 > 0f));
-                                                                        let _e1356 = ((_e1282.x + (_e1288.x * _e1343)) - _e290);
-                                                                        let _e1357 = ((_e1282.y + (_e1288.y * _e1343)) - _e329);
-                                                                        let _e1358 = ((_e1282.z + (_e1288.z * _e1343)) - _e367);
-                                                                        let _e1359 = (_e1358 / _e391);
-                                                                        let _e1371 = bitcast<f32>((bitcast<u32>(_e1356) & 2147483647u));
-                                                                        let _e1374 = bitcast<f32>((bitcast<u32>(_e1357) & 2147483647u));
-                                                                        let _e1376 = select(_e1374, _e1371, (_e1371 > _e1374));
-                                                                        let _e1379 = bitcast<f32>((bitcast<u32>(_e1358) & 2147483647u));
-                                                                        let _e1381 = select(_e1379, _e1376, (_e1376 > _e1379));
-                                                                        let _e1387 = bitcast<f32>((bitcast<u32>(_e1295) & 2147483647u));
-                                                                        let _e1390 = bitcast<f32>((bitcast<u32>(_e1300) & 2147483647u));
-                                                                        let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
-                                                                        let _e1395 = bitcast<f32>((bitcast<u32>(_e1303) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1295 * _e1356) + (_e1300 * _e1357)) + (_e1303 * _e1358)) - _e1324)) & 2147483647u)) <= ((0.0000009536743f * select(_e1261, _e1381, (_e1381 > _e1261))) * select(_e1395, _e1392, (_e1392 > _e1395)))) {
-                                                                            let _e1405 = bitcast<f32>((bitcast<u32>(_e1286.x) & 2147483647u));
-                                                                            let _e1408 = bitcast<f32>((bitcast<u32>(_e1286.y) & 2147483647u));
-                                                                            let _e1410 = select(_e1408, _e1405, (_e1405 > _e1408));
-                                                                            let _e1413 = bitcast<f32>((bitcast<u32>(_e1286.z) & 2147483647u));
-                                                                            let _e1419 = bitcast<f32>((bitcast<u32>(_e1284.x) & 2147483647u));
-                                                                            let _e1422 = bitcast<f32>((bitcast<u32>(_e1284.y) & 2147483647u));
-                                                                            let _e1424 = select(_e1422, _e1419, (_e1419 > _e1422));
-                                                                            let _e1427 = bitcast<f32>((bitcast<u32>(_e1284.z) & 2147483647u));
-                                                                            let _e1431 = (bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u)) > ((0.0000038146973f * select(_e1413, _e1410, (_e1410 > _e1413))) * select(_e1427, _e1424, (_e1424 > _e1427))));
-                                                                            if _e1431 {
-                                                                                phi_1963_ = (_e1324 / _e1329);
+                                                                        let _e1517 = phi_2119_;
+                                                                        let _e1528 = (((_e1499 * (_e1517.x - _e312)) + (_e1504 * (_e1517.y - _e381))) + (_e1507 * (_e1517.z - _e449)));
+                                                                        let _e1533 = (((_e1499 * _e352) + (_e1504 * _e420)) + (_e1507 * _e488));
+                                                                        let _e1534 = (_e1480 - _e1484);
+                                                                        let _e1535 = (_e1478 - _e1482);
+                                                                        let _e1543 = (-(((_e1484 * _e1534) + (_e1482 * _e1535))) / ((_e1534 * _e1534) + (_e1535 * _e1535)));
+                                                                        let _e1545 = select(1f, _e1543, (_e1543 < 1f));
+                                                                        let _e1547 = select(0f, _e1545, (_e1545 > 0f));
+                                                                        let _e1560 = ((_e1486.x + (_e1492.x * _e1547)) - _e312);
+                                                                        let _e1561 = ((_e1486.y + (_e1492.y * _e1547)) - _e381);
+                                                                        let _e1562 = ((_e1486.z + (_e1492.z * _e1547)) - _e449);
+                                                                        let _e1563 = (_e1562 / _e488);
+                                                                        let _e1575 = bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u));
+                                                                        let _e1578 = bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u));
+                                                                        let _e1580 = select(_e1578, _e1575, (_e1575 > _e1578));
+                                                                        let _e1583 = bitcast<f32>((bitcast<u32>(_e1562) & 2147483647u));
+                                                                        let _e1585 = select(_e1583, _e1580, (_e1580 > _e1583));
+                                                                        let _e1591 = bitcast<f32>((bitcast<u32>(_e1499) & 2147483647u));
+                                                                        let _e1594 = bitcast<f32>((bitcast<u32>(_e1504) & 2147483647u));
+                                                                        let _e1596 = select(_e1594, _e1591, (_e1591 > _e1594));
+                                                                        let _e1599 = bitcast<f32>((bitcast<u32>(_e1507) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1499 * _e1560) + (_e1504 * _e1561)) + (_e1507 * _e1562)) - _e1528)) & 2147483647u)) <= ((0.0000009536743f * select(_e1465, _e1585, (_e1585 > _e1465))) * select(_e1599, _e1596, (_e1596 > _e1599)))) {
+                                                                            let _e1609 = bitcast<f32>((bitcast<u32>(_e1490.x) & 2147483647u));
+                                                                            let _e1612 = bitcast<f32>((bitcast<u32>(_e1490.y) & 2147483647u));
+                                                                            let _e1614 = select(_e1612, _e1609, (_e1609 > _e1612));
+                                                                            let _e1617 = bitcast<f32>((bitcast<u32>(_e1490.z) & 2147483647u));
+                                                                            let _e1623 = bitcast<f32>((bitcast<u32>(_e1488.x) & 2147483647u));
+                                                                            let _e1626 = bitcast<f32>((bitcast<u32>(_e1488.y) & 2147483647u));
+                                                                            let _e1628 = select(_e1626, _e1623, (_e1623 > _e1626));
+                                                                            let _e1631 = bitcast<f32>((bitcast<u32>(_e1488.z) & 2147483647u));
+                                                                            let _e1635 = (bitcast<f32>((bitcast<u32>(_e1533) & 2147483647u)) > ((0.0000038146973f * select(_e1617, _e1614, (_e1614 > _e1617))) * select(_e1631, _e1628, (_e1628 > _e1631))));
+                                                                            if _e1635 {
+                                                                                phi_2284_ = (_e1528 / _e1533);
                                                                             } else {
-                                                                                phi_1963_ = f32();
+                                                                                phi_2284_ = f32();
                                                                             }
-                                                                            let _e1434 = phi_1963_;
-                                                                            phi_1965_ = _e1434;
-                                                                            phi_1966_ = select(true, false, _e1431);
+                                                                            let _e1638 = phi_2284_;
+                                                                            phi_2286_ = _e1638;
+                                                                            phi_2287_ = select(true, false, _e1635);
                                                                         } else {
-                                                                            phi_1965_ = f32();
-                                                                            phi_1966_ = true;
+                                                                            phi_2286_ = f32();
+                                                                            phi_2287_ = true;
                                                                         }
-                                                                        let _e1437 = phi_1965_;
-                                                                        let _e1439 = phi_1966_;
-                                                                        if _e1439 {
-                                                                            let _e1447 = (((_e1295 * (_e1356 - (_e315 * _e1359))) + (_e1300 * (_e1357 - (_e353 * _e1359)))) / _e1329);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u)) <= _e1261) {
-                                                                                phi_1986_ = (_e1359 + _e1447);
+                                                                        let _e1641 = phi_2286_;
+                                                                        let _e1643 = phi_2287_;
+                                                                        if _e1643 {
+                                                                            let _e1651 = (((_e1499 * (_e1560 - (_e352 * _e1563))) + (_e1504 * (_e1561 - (_e420 * _e1563)))) / _e1533);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1651) & 2147483647u)) <= _e1465) {
+                                                                                phi_2307_ = (_e1563 + _e1651);
                                                                             } else {
-                                                                                phi_1986_ = _e1359;
+                                                                                phi_2307_ = _e1563;
                                                                             }
-                                                                            let _e1454 = phi_1986_;
-                                                                            phi_1987_ = _e1454;
+                                                                            let _e1658 = phi_2307_;
+                                                                            phi_2308_ = _e1658;
                                                                         } else {
-                                                                            phi_1987_ = _e1437;
+                                                                            phi_2308_ = _e1641;
                                                                         }
-                                                                        let _e1456 = phi_1987_;
-                                                                        let _e1458 = select(_e1194, _e1456, (_e1456 < _e1194));
-                                                                        let _e1460 = select(_e1186, _e1458, (_e1458 > _e1186));
-                                                                        if (_e1460 >= _e441) {
-                                                                            let _e1462 = (_e1460 <= _e871.member_1);
-                                                                            if _e1462 {
-                                                                                let _e1463 = (1f / _e1113);
-                                                                                phi_2010_ = type_18(_e1460, (_e1107 * _e1463), (_e1111 * _e1463), _e899);
+                                                                        let _e1660 = phi_2308_;
+                                                                        let _e1662 = select(_e1398, _e1660, (_e1660 < _e1398));
+                                                                        let _e1664 = select(_e1390, _e1662, (_e1662 > _e1390));
+                                                                        if (_e1664 >= _e603) {
+                                                                            let _e1666 = (_e1664 <= _e1057.member_1);
+                                                                            if _e1666 {
+                                                                                let _e1667 = (1f / _e1317);
+                                                                                phi_2331_ = type_18(_e1664, (_e1311 * _e1667), (_e1315 * _e1667), _e1085);
                                                                             } else {
-                                                                                phi_2010_ = type_18();
+                                                                                phi_2331_ = type_18();
                                                                             }
-                                                                            let _e1468 = phi_2010_;
-                                                                            phi_2012_ = _e1468;
-                                                                            phi_2013_ = select(true, false, _e1462);
+                                                                            let _e1672 = phi_2331_;
+                                                                            phi_2333_ = _e1672;
+                                                                            phi_2334_ = select(true, false, _e1666);
                                                                         } else {
-                                                                            phi_2012_ = type_18();
-                                                                            phi_2013_ = true;
+                                                                            phi_2333_ = type_18();
+                                                                            phi_2334_ = true;
                                                                         }
-                                                                        let _e1471 = phi_2012_;
-                                                                        let _e1473 = phi_2013_;
-                                                                        if _e1473 {
-                                                                            phi_2017_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1675 = phi_2333_;
+                                                                        let _e1677 = phi_2334_;
+                                                                        if _e1677 {
+                                                                            phi_2338_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2017_ = _e1471;
+                                                                            phi_2338_ = _e1675;
                                                                         }
-                                                                        let _e1475 = phi_2017_;
-                                                                        phi_2018_ = _e1475;
+                                                                        let _e1679 = phi_2338_;
+                                                                        phi_2339_ = _e1679;
                                                                     }
-                                                                    let _e1477 = phi_2018_;
-                                                                    phi_2019_ = _e1477;
-                                                                    phi_2020_ = _e1203;
+                                                                    let _e1681 = phi_2339_;
+                                                                    phi_2340_ = _e1681;
+                                                                    phi_2341_ = _e1407;
                                                                 }
-                                                                let _e1479 = phi_2019_;
-                                                                let _e1481 = phi_2020_;
-                                                                phi_2024_ = _e1479;
-                                                                phi_2025_ = _e1481;
+                                                                let _e1683 = phi_2340_;
+                                                                let _e1685 = phi_2341_;
+                                                                phi_2345_ = _e1683;
+                                                                phi_2346_ = _e1685;
                                                             }
-                                                            let _e1483 = phi_2024_;
-                                                            let _e1485 = phi_2025_;
-                                                            phi_2026_ = _e1483;
-                                                            phi_2027_ = _e1138;
-                                                            phi_2028_ = _e1485;
+                                                            let _e1687 = phi_2345_;
+                                                            let _e1689 = phi_2346_;
+                                                            phi_2347_ = _e1687;
+                                                            phi_2348_ = _e1342;
+                                                            phi_2349_ = _e1689;
                                                         }
-                                                        let _e1487 = phi_2026_;
-                                                        let _e1489 = phi_2027_;
-                                                        let _e1491 = phi_2028_;
-                                                        phi_2029_ = _e1487;
-                                                        phi_2030_ = _e1489;
-                                                        phi_2031_ = _e1491;
+                                                        let _e1691 = phi_2347_;
+                                                        let _e1693 = phi_2348_;
+                                                        let _e1695 = phi_2349_;
+                                                        phi_2350_ = _e1691;
+                                                        phi_2351_ = _e1693;
+                                                        phi_2352_ = _e1695;
                                                     }
-                                                    let _e1493 = phi_2029_;
-                                                    let _e1495 = phi_2030_;
-                                                    let _e1497 = phi_2031_;
-                                                    phi_2039_ = _e1493;
-                                                    phi_2040_ = select(_e1497, true, _e1495);
+                                                    let _e1697 = phi_2350_;
+                                                    let _e1699 = phi_2351_;
+                                                    let _e1701 = phi_2352_;
+                                                    phi_2360_ = _e1697;
+                                                    phi_2361_ = select(_e1701, true, _e1699);
                                                 } else {
-                                                    phi_2039_ = type_18();
-                                                    phi_2040_ = true;
+                                                    phi_2360_ = type_18();
+                                                    phi_2361_ = true;
                                                 }
-                                                let _e1500 = phi_2039_;
-                                                let _e1502 = phi_2040_;
-                                                if _e1502 {
-                                                    phi_2044_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1704 = phi_2360_;
+                                                let _e1706 = phi_2361_;
+                                                if _e1706 {
+                                                    phi_2365_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2044_ = _e1500;
+                                                    phi_2365_ = _e1704;
                                                 }
-                                                let _e1504 = phi_2044_;
-                                                if (_e1504.member_3 != 4294967295u) {
-                                                    if (_e899 != 4294967295u) {
-                                                        if (_e1504.member < _e871.member.member) {
-                                                            phi_2070_ = true;
+                                                let _e1708 = phi_2365_;
+                                                if (_e1708.member_3 != 4294967295u) {
+                                                    if (_e1085 != 4294967295u) {
+                                                        if (_e1708.member < _e1057.member.member) {
+                                                            phi_2391_ = true;
                                                         } else {
-                                                            if (_e1504.member == _e871.member.member) {
-                                                                phi_2069_ = (_e1504.member_3 < _e871.member.member_3);
+                                                            if (_e1708.member == _e1057.member.member) {
+                                                                phi_2390_ = (_e1708.member_3 < _e1057.member.member_3);
                                                             } else {
-                                                                phi_2069_ = false;
+                                                                phi_2390_ = false;
                                                             }
-                                                            let _e1517 = phi_2069_;
-                                                            phi_2070_ = _e1517;
+                                                            let _e1721 = phi_2390_;
+                                                            phi_2391_ = _e1721;
                                                         }
-                                                        let _e1519 = phi_2070_;
-                                                        if _e1519 {
-                                                            phi_2076_ = type_29(_e1504, _e1504.member);
+                                                        let _e1723 = phi_2391_;
+                                                        if _e1723 {
+                                                            phi_2397_ = type_29(_e1708, _e1708.member);
                                                         } else {
-                                                            phi_2076_ = _e871;
+                                                            phi_2397_ = _e1057;
                                                         }
-                                                        let _e1522 = phi_2076_;
-                                                        phi_2077_ = _e1522;
+                                                        let _e1726 = phi_2397_;
+                                                        phi_2398_ = _e1726;
                                                     } else {
-                                                        phi_2077_ = _e871;
+                                                        phi_2398_ = _e1057;
                                                     }
-                                                    let _e1524 = phi_2077_;
-                                                    phi_2078_ = _e1524;
+                                                    let _e1728 = phi_2398_;
+                                                    phi_2399_ = _e1728;
                                                 } else {
-                                                    phi_2078_ = _e871;
+                                                    phi_2399_ = _e1057;
                                                 }
-                                                let _e1526 = phi_2078_;
-                                                phi_903_ = _e1526;
+                                                let _e1730 = phi_2399_;
+                                                phi_1206_ = _e1730;
                                             } else {
-                                                phi_903_ = type_29();
+                                                phi_1206_ = type_29();
                                             }
-                                            let _e1528 = phi_903_;
+                                            let _e1732 = phi_1206_;
                                             continue;
                                             continuing {
-                                                phi_902_ = _e1528;
-                                                phi_905_ = _e886;
-                                                phi_3139_ = _e473;
-                                                break if !(_e892);
+                                                phi_1205_ = _e1732;
+                                                phi_1208_ = _e1072;
+                                                phi_3582_ = _e635;
+                                                break if !(_e1078);
                                             }
                                         }
-                                        let _e1531 = phi_3139_;
-                                        phi_3299_ = _e1531;
-                                        if _e1531 {
+                                        let _e1735 = phi_3582_;
+                                        phi_3760_ = _e1735;
+                                        if _e1735 {
                                             break;
                                         }
-                                        phi_3303_ = _e1531;
-                                        let _e1718 = local_11;
-                                        phi_3027_ = _e1718;
-                                        phi_3028_ = _e514;
-                                        phi_3029_ = false;
-                                        phi_3030_ = _e518;
+                                        phi_3764_ = _e1735;
+                                        let _e2021 = local_11;
+                                        phi_3372_ = _e2021;
+                                        phi_3373_ = _e676;
+                                        phi_3374_ = false;
+                                        phi_3375_ = _e680;
                                     } else {
-                                        let _e528 = (_e514.member_1 < _e78);
-                                        if _e528 {
-                                            if _e528 {
+                                        let _e690 = (_e676.member_1 < _e85);
+                                        if _e690 {
+                                            if _e690 {
                                             } else {
-                                                phi_3299_ = true;
+                                                phi_3760_ = true;
                                                 break;
                                             }
-                                            let _e530 = global_4.member[_e514.member_1];
-                                            phi_2097_ = _e530;
+                                            let _e692 = global_4.member[_e676.member_1];
+                                            phi_2418_ = _e692;
                                         } else {
-                                            phi_2097_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2418_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e532 = phi_2097_;
-                                        let _e547 = ((10u * _e241) & 31u);
-                                        let _e550 = ((_e532.member[0] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e555 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[0] - _e514.member.member[0]) * 0.0009775171f)) ^ _e113));
-                                        let _e561 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e550) * _e555)) ^ _e113)));
-                                        let _e565 = select(select(_e514.member.member_1[0], _e561, (_e561 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e550 == 1023u));
-                                        let _e567 = ((10u * _e240) & 31u);
-                                        let _e570 = ((_e532.member[0] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e575 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[1] - _e514.member.member[1]) * 0.0009775171f)) ^ _e113));
-                                        let _e581 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e570) * _e575)) ^ _e113)));
-                                        let _e585 = select(select(_e514.member.member_1[1], _e581, (_e581 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e570 == 1023u));
-                                        let _e587 = ((10u * _e242) & 31u);
-                                        let _e590 = ((_e532.member[0] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e595 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[2] - _e514.member.member[2]) * 0.0009775171f)) ^ _e113));
-                                        let _e601 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e590) * _e595)) ^ _e113)));
-                                        let _e605 = select(select(_e514.member.member_1[2], _e601, (_e601 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e590 == 1023u));
-                                        let _e608 = ((_e532.member[1] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e614 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e608) * _e555)) ^ _e113)));
-                                        let _e618 = select(select(_e514.member.member_1[0], _e614, (_e614 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e608 == 1023u));
-                                        let _e621 = ((_e532.member[1] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e627 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e621) * _e575)) ^ _e113)));
-                                        let _e631 = select(select(_e514.member.member_1[1], _e627, (_e627 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e621 == 1023u));
-                                        let _e634 = ((_e532.member[1] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e640 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e634) * _e595)) ^ _e113)));
-                                        let _e644 = select(select(_e514.member.member_1[2], _e640, (_e640 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e634 == 1023u));
-                                        let _e650 = ((_e532.member_1[0] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e656 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e650) * _e555)) ^ _e113)));
-                                        let _e660 = select(select(_e514.member.member_1[0], _e656, (_e656 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e650 == 1023u));
-                                        let _e663 = ((_e532.member_1[0] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e669 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e663) * _e575)) ^ _e113)));
-                                        let _e673 = select(select(_e514.member.member_1[1], _e669, (_e669 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e663 == 1023u));
-                                        let _e676 = ((_e532.member_1[0] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e682 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e676) * _e595)) ^ _e113)));
-                                        let _e686 = select(select(_e514.member.member_1[2], _e682, (_e682 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e676 == 1023u));
-                                        let _e689 = ((_e532.member_1[1] >> bitcast<u32>(_e547)) & 1023u);
-                                        let _e695 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e689) * _e555)) ^ _e113)));
-                                        let _e699 = select(select(_e514.member.member_1[0], _e695, (_e695 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e689 == 1023u));
-                                        let _e702 = ((_e532.member_1[1] >> bitcast<u32>(_e567)) & 1023u);
-                                        let _e708 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e702) * _e575)) ^ _e113)));
-                                        let _e712 = select(select(_e514.member.member_1[1], _e708, (_e708 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e702 == 1023u));
-                                        let _e715 = ((_e532.member_1[1] >> bitcast<u32>(_e587)) & 1023u);
-                                        let _e721 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e715) * _e595)) ^ _e113)));
-                                        let _e725 = select(select(_e514.member.member_1[2], _e721, (_e721 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e715 == 1023u));
-                                        let _e730 = type_50(type_42(array<f32, 3>(_e565, _e585, _e605), array<f32, 3>(_e618, _e631, _e644)), _e532.member_2);
-                                        let _e735 = type_50(type_42(array<f32, 3>(_e660, _e673, _e686), array<f32, 3>(_e699, _e712, _e725)), _e532.member_3);
-                                        let _e741 = ((_e565 - _e313) * _e318);
-                                        let _e742 = ((_e660 - _e313) * _e318);
-                                        let _e743 = ((_e618 - _e314) * _e318);
-                                        let _e744 = ((_e699 - _e314) * _e318);
-                                        let _e749 = ((_e585 - _e351) * _e356);
-                                        let _e750 = ((_e673 - _e351) * _e356);
-                                        let _e751 = ((_e631 - _e352) * _e356);
-                                        let _e752 = ((_e712 - _e352) * _e356);
-                                        let _e757 = ((_e605 - _e389) * _e394);
-                                        let _e758 = ((_e686 - _e389) * _e394);
-                                        let _e759 = ((_e644 - _e390) * _e394);
-                                        let _e760 = ((_e725 - _e390) * _e394);
-                                        let _e762 = select(_e759, _e757, (_e757 < _e759));
-                                        let _e764 = select(_e760, _e758, (_e758 < _e760));
-                                        let _e766 = select(_e759, _e757, (_e757 > _e759));
-                                        let _e768 = select(_e760, _e758, (_e758 > _e760));
-                                        let _e770 = select(_e743, _e741, (_e741 < _e743));
-                                        let _e772 = select(_e744, _e742, (_e742 < _e744));
-                                        let _e774 = select(_e751, _e749, (_e749 < _e751));
-                                        let _e776 = select(_e752, _e750, (_e750 < _e752));
-                                        let _e778 = select(_e774, _e770, (_e770 > _e774));
-                                        let _e780 = select(_e776, _e772, (_e772 > _e776));
-                                        let _e782 = select(_e762, _e778, (_e778 > _e762));
-                                        let _e784 = select(_e764, _e780, (_e780 > _e764));
-                                        let _e786 = select(_e743, _e741, (_e741 > _e743));
-                                        let _e788 = select(_e744, _e742, (_e742 > _e744));
-                                        let _e790 = select(_e751, _e749, (_e749 > _e751));
-                                        let _e792 = select(_e752, _e750, (_e750 > _e752));
-                                        let _e794 = select(_e790, _e786, (_e786 < _e790));
-                                        let _e796 = select(_e792, _e788, (_e788 < _e792));
-                                        let _e801 = -(_e762);
-                                        let _e802 = -(_e764);
-                                        let _e809 = (select(_e766, _e794, (_e794 < _e766)) + (select(_e801, _e766, (_e766 > _e801)) * 0.0000019073523f));
-                                        let _e810 = (select(_e768, _e796, (_e796 < _e768)) + (select(_e802, _e768, (_e768 > _e802)) * 0.0000019073523f));
-                                        let _e812 = select(_e441, _e782, (_e782 > _e441));
-                                        let _e814 = select(_e441, _e784, (_e784 > _e441));
-                                        let _e819 = (_e812 <= select(_e475.member_1, _e809, (_e809 < _e475.member_1)));
-                                        let _e820 = (_e814 <= select(_e475.member_1, _e810, (_e810 < _e475.member_1)));
-                                        let _e821 = (_e812 <= _e814);
-                                        if _e819 {
-                                            if _e820 {
-                                                if _e821 {
-                                                    phi_2929_ = _e735;
+                                        let _e694 = phi_2418_;
+                                        let _e709 = ((10u * _e248) & 31u);
+                                        let _e712 = ((_e694.member[0] >> bitcast<u32>(_e709)) & 1023u);
+                                        let _e720 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[0] - _e676.member.member[0]) * 0.0009775171f)) ^ _e120));
+                                        let _e725 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e712)) - 8388608f) * _e720)) ^ _e120)));
+                                        let _e729 = select(select(_e676.member.member_1[0], _e725, (_e725 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e712 == 1023u));
+                                        let _e731 = ((10u * _e247) & 31u);
+                                        let _e734 = ((_e694.member[0] >> bitcast<u32>(_e731)) & 1023u);
+                                        let _e742 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[1] - _e676.member.member[1]) * 0.0009775171f)) ^ _e120));
+                                        let _e747 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e734)) - 8388608f) * _e742)) ^ _e120)));
+                                        let _e751 = select(select(_e676.member.member_1[1], _e747, (_e747 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e734 == 1023u));
+                                        let _e753 = ((10u * _e249) & 31u);
+                                        let _e756 = ((_e694.member[0] >> bitcast<u32>(_e753)) & 1023u);
+                                        let _e764 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[2] - _e676.member.member[2]) * 0.0009775171f)) ^ _e120));
+                                        let _e769 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e756)) - 8388608f) * _e764)) ^ _e120)));
+                                        let _e773 = select(select(_e676.member.member_1[2], _e769, (_e769 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e756 == 1023u));
+                                        let _e776 = ((_e694.member[1] >> bitcast<u32>(_e709)) & 1023u);
+                                        let _e784 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e776)) - 8388608f) * _e720)) ^ _e120)));
+                                        let _e788 = select(select(_e676.member.member_1[0], _e784, (_e784 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e776 == 1023u));
+                                        let _e791 = ((_e694.member[1] >> bitcast<u32>(_e731)) & 1023u);
+                                        let _e799 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e791)) - 8388608f) * _e742)) ^ _e120)));
+                                        let _e803 = select(select(_e676.member.member_1[1], _e799, (_e799 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e791 == 1023u));
+                                        let _e806 = ((_e694.member[1] >> bitcast<u32>(_e753)) & 1023u);
+                                        let _e814 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e806)) - 8388608f) * _e764)) ^ _e120)));
+                                        let _e818 = select(select(_e676.member.member_1[2], _e814, (_e814 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e806 == 1023u));
+                                        let _e824 = ((_e694.member_1[0] >> bitcast<u32>(_e709)) & 1023u);
+                                        let _e832 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e824)) - 8388608f) * _e720)) ^ _e120)));
+                                        let _e836 = select(select(_e676.member.member_1[0], _e832, (_e832 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e824 == 1023u));
+                                        let _e839 = ((_e694.member_1[0] >> bitcast<u32>(_e731)) & 1023u);
+                                        let _e847 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e742)) ^ _e120)));
+                                        let _e851 = select(select(_e676.member.member_1[1], _e847, (_e847 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e839 == 1023u));
+                                        let _e854 = ((_e694.member_1[0] >> bitcast<u32>(_e753)) & 1023u);
+                                        let _e862 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e854)) - 8388608f) * _e764)) ^ _e120)));
+                                        let _e866 = select(select(_e676.member.member_1[2], _e862, (_e862 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e854 == 1023u));
+                                        let _e869 = ((_e694.member_1[1] >> bitcast<u32>(_e709)) & 1023u);
+                                        let _e877 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e869)) - 8388608f) * _e720)) ^ _e120)));
+                                        let _e881 = select(select(_e676.member.member_1[0], _e877, (_e877 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e869 == 1023u));
+                                        let _e884 = ((_e694.member_1[1] >> bitcast<u32>(_e731)) & 1023u);
+                                        let _e892 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e884)) - 8388608f) * _e742)) ^ _e120)));
+                                        let _e896 = select(select(_e676.member.member_1[1], _e892, (_e892 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e884 == 1023u));
+                                        let _e899 = ((_e694.member_1[1] >> bitcast<u32>(_e753)) & 1023u);
+                                        let _e907 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e899)) - 8388608f) * _e764)) ^ _e120)));
+                                        let _e911 = select(select(_e676.member.member_1[2], _e907, (_e907 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e899 == 1023u));
+                                        let _e916 = type_50(type_42(array<f32, 3>(_e729, _e751, _e773), array<f32, 3>(_e788, _e803, _e818)), _e694.member_2);
+                                        let _e921 = type_50(type_42(array<f32, 3>(_e836, _e851, _e866), array<f32, 3>(_e881, _e896, _e911)), _e694.member_3);
+                                        let _e927 = ((_e729 - _e350) * _e355);
+                                        let _e928 = ((_e836 - _e350) * _e355);
+                                        let _e929 = ((_e788 - _e351) * _e355);
+                                        let _e930 = ((_e881 - _e351) * _e355);
+                                        let _e935 = ((_e751 - _e418) * _e423);
+                                        let _e936 = ((_e851 - _e418) * _e423);
+                                        let _e937 = ((_e803 - _e419) * _e423);
+                                        let _e938 = ((_e896 - _e419) * _e423);
+                                        let _e943 = ((_e773 - _e486) * _e491);
+                                        let _e944 = ((_e866 - _e486) * _e491);
+                                        let _e945 = ((_e818 - _e487) * _e491);
+                                        let _e946 = ((_e911 - _e487) * _e491);
+                                        let _e948 = select(_e945, _e943, (_e943 < _e945));
+                                        let _e950 = select(_e946, _e944, (_e944 < _e946));
+                                        let _e952 = select(_e945, _e943, (_e943 > _e945));
+                                        let _e954 = select(_e946, _e944, (_e944 > _e946));
+                                        let _e956 = select(_e929, _e927, (_e927 < _e929));
+                                        let _e958 = select(_e930, _e928, (_e928 < _e930));
+                                        let _e960 = select(_e937, _e935, (_e935 < _e937));
+                                        let _e962 = select(_e938, _e936, (_e936 < _e938));
+                                        let _e964 = select(_e960, _e956, (_e956 > _e960));
+                                        let _e966 = select(_e962, _e958, (_e958 > _e962));
+                                        let _e968 = select(_e948, _e964, (_e964 > _e948));
+                                        let _e970 = select(_e950, _e966, (_e966 > _e950));
+                                        let _e972 = select(_e929, _e927, (_e927 > _e929));
+                                        let _e974 = select(_e930, _e928, (_e928 > _e930));
+                                        let _e976 = select(_e937, _e935, (_e935 > _e937));
+                                        let _e978 = select(_e938, _e936, (_e936 > _e938));
+                                        let _e980 = select(_e976, _e972, (_e972 < _e976));
+                                        let _e982 = select(_e978, _e974, (_e974 < _e978));
+                                        let _e987 = -(_e948);
+                                        let _e988 = -(_e950);
+                                        let _e995 = (select(_e952, _e980, (_e980 < _e952)) + (select(_e987, _e952, (_e952 > _e987)) * 0.0000019073523f));
+                                        let _e996 = (select(_e954, _e982, (_e982 < _e954)) + (select(_e988, _e954, (_e954 > _e988)) * 0.0000019073523f));
+                                        let _e998 = select(_e603, _e968, (_e968 > _e603));
+                                        let _e1000 = select(_e603, _e970, (_e970 > _e603));
+                                        let _e1005 = (_e998 <= select(_e637.member_1, _e995, (_e995 < _e637.member_1)));
+                                        let _e1006 = (_e1000 <= select(_e637.member_1, _e996, (_e996 < _e637.member_1)));
+                                        let _e1007 = (_e998 <= _e1000);
+                                        if _e1005 {
+                                            if _e1006 {
+                                                if _e1007 {
+                                                    phi_3274_ = _e921;
                                                 } else {
-                                                    phi_2929_ = _e730;
+                                                    phi_3274_ = _e916;
                                                 }
-                                                let _e823 = phi_2929_;
-                                                let _e831 = (_e518 % 128u);
-                                                let _e832 = (_e831 < 128u);
-                                                if _e832 {
+                                                let _e1009 = phi_3274_;
+                                                let _e1017 = (_e680 % 128u);
+                                                let _e1018 = (_e1017 < 128u);
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3299_ = true;
+                                                    phi_3760_ = true;
                                                     break;
                                                 }
-                                                local_6[_e831] = _e823.member_1;
-                                                if _e832 {
+                                                local_6[_e1017] = _e1009.member_1;
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3299_ = true;
+                                                    phi_3760_ = true;
                                                     break;
                                                 }
-                                                local_5[_e831] = _e823.member.member[0];
-                                                if _e832 {
+                                                local_5[_e1017] = _e1009.member.member[0];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3299_ = true;
+                                                    phi_3760_ = true;
                                                     break;
                                                 }
-                                                local_4[_e831] = _e823.member.member[1];
-                                                if _e832 {
+                                                local_4[_e1017] = _e1009.member.member[1];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3299_ = true;
+                                                    phi_3760_ = true;
                                                     break;
                                                 }
-                                                local_3[_e831] = _e823.member.member[2];
-                                                if _e832 {
+                                                local_3[_e1017] = _e1009.member.member[2];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3299_ = true;
+                                                    phi_3760_ = true;
                                                     break;
                                                 }
-                                                local_2[_e831] = _e823.member.member_1[0];
-                                                if _e832 {
+                                                local_2[_e1017] = _e1009.member.member_1[0];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3299_ = true;
+                                                    phi_3760_ = true;
                                                     break;
                                                 }
-                                                local_1[_e831] = _e823.member.member_1[1];
-                                                if _e832 {
+                                                local_1[_e1017] = _e1009.member.member_1[1];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3299_ = true;
+                                                    phi_3760_ = true;
                                                     break;
                                                 }
-                                                local[_e831] = _e823.member.member_1[2];
-                                                if _e832 {
+                                                local[_e1017] = _e1009.member.member_1[2];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3299_ = true;
+                                                    phi_3760_ = true;
                                                     break;
                                                 }
-                                                local_7[_e831] = select(_e814, _e812, (_e812 > _e814));
-                                                if _e821 {
-                                                    phi_3006_ = _e730;
+                                                local_7[_e1017] = select(_e1000, _e998, (_e998 > _e1000));
+                                                if _e1007 {
+                                                    phi_3351_ = _e916;
                                                 } else {
-                                                    phi_3006_ = _e735;
+                                                    phi_3351_ = _e921;
                                                 }
-                                                let _e849 = phi_3006_;
-                                                phi_3007_ = _e849;
-                                                phi_3008_ = (_e518 + 1u);
+                                                let _e1035 = phi_3351_;
+                                                phi_3352_ = _e1035;
+                                                phi_3353_ = (_e680 + 1u);
                                             } else {
-                                                phi_3007_ = type_50();
-                                                phi_3008_ = u32();
+                                                phi_3352_ = type_50();
+                                                phi_3353_ = u32();
                                             }
-                                            let _e851 = phi_3007_;
-                                            let _e853 = phi_3008_;
-                                            phi_3010_ = _e851;
-                                            phi_3011_ = _e853;
-                                            phi_3012_ = select(true, false, _e820);
+                                            let _e1037 = phi_3352_;
+                                            let _e1039 = phi_3353_;
+                                            phi_3355_ = _e1037;
+                                            phi_3356_ = _e1039;
+                                            phi_3357_ = select(true, false, _e1006);
                                         } else {
-                                            phi_3010_ = type_50();
-                                            phi_3011_ = u32();
-                                            phi_3012_ = true;
+                                            phi_3355_ = type_50();
+                                            phi_3356_ = u32();
+                                            phi_3357_ = true;
                                         }
-                                        let _e856 = phi_3010_;
-                                        let _e858 = phi_3011_;
-                                        let _e860 = phi_3012_;
-                                        if _e860 {
-                                            if _e819 {
-                                                phi_3019_ = _e730;
+                                        let _e1042 = phi_3355_;
+                                        let _e1044 = phi_3356_;
+                                        let _e1046 = phi_3357_;
+                                        if _e1046 {
+                                            if _e1005 {
+                                                phi_3364_ = _e916;
                                             } else {
-                                                phi_3019_ = _e735;
+                                                phi_3364_ = _e921;
                                             }
-                                            let _e862 = phi_3019_;
-                                            phi_3024_ = _e862;
-                                            phi_3025_ = select(_e820, true, _e819);
+                                            let _e1048 = phi_3364_;
+                                            phi_3369_ = _e1048;
+                                            phi_3370_ = select(_e1006, true, _e1005);
                                         } else {
-                                            phi_3024_ = _e856;
-                                            phi_3025_ = _e516;
+                                            phi_3369_ = _e1042;
+                                            phi_3370_ = _e678;
                                         }
-                                        let _e865 = phi_3024_;
-                                        let _e867 = phi_3025_;
-                                        phi_3303_ = _e473;
-                                        phi_3027_ = _e475;
-                                        phi_3028_ = _e865;
-                                        phi_3029_ = _e867;
-                                        phi_3030_ = select(_e858, _e518, _e860);
+                                        let _e1051 = phi_3369_;
+                                        let _e1053 = phi_3370_;
+                                        phi_3764_ = _e635;
+                                        phi_3372_ = _e637;
+                                        phi_3373_ = _e1051;
+                                        phi_3374_ = _e1053;
+                                        phi_3375_ = select(_e1044, _e680, _e1046);
                                     }
-                                    let _e1533 = phi_3303_;
-                                    let _e1535 = phi_3027_;
-                                    let _e1537 = phi_3028_;
-                                    let _e1539 = phi_3029_;
-                                    let _e1541 = phi_3030_;
-                                    phi_3302_ = _e1533;
-                                    phi_3031_ = _e1535;
-                                    phi_3032_ = _e1537;
-                                    phi_3033_ = (_e479 - 1u);
-                                    phi_3034_ = _e1539;
-                                    phi_3035_ = _e1541;
+                                    let _e1737 = phi_3764_;
+                                    let _e1739 = phi_3372_;
+                                    let _e1741 = phi_3373_;
+                                    let _e1743 = phi_3374_;
+                                    let _e1745 = phi_3375_;
+                                    phi_3763_ = _e1737;
+                                    phi_3376_ = _e1739;
+                                    phi_3377_ = _e1741;
+                                    phi_3378_ = (_e641 - 1u);
+                                    phi_3379_ = _e1743;
+                                    phi_3380_ = _e1745;
                                 } else {
-                                    phi_3302_ = _e473;
-                                    phi_3031_ = _e475;
-                                    phi_3032_ = _e514;
-                                    phi_3033_ = _e479;
-                                    phi_3034_ = _e516;
-                                    phi_3035_ = _e518;
+                                    phi_3763_ = _e635;
+                                    phi_3376_ = _e637;
+                                    phi_3377_ = _e676;
+                                    phi_3378_ = _e641;
+                                    phi_3379_ = _e678;
+                                    phi_3380_ = _e680;
                                 }
-                                let _e1543 = phi_3302_;
-                                let _e1545 = phi_3031_;
-                                let _e1547 = phi_3032_;
-                                let _e1549 = phi_3033_;
-                                let _e1551 = phi_3034_;
-                                let _e1553 = phi_3035_;
-                                phi_3301_ = _e1543;
-                                phi_3036_ = _e1545;
-                                phi_3037_ = _e1547;
-                                phi_3038_ = _e1549;
-                                phi_3039_ = _e1551;
-                                phi_3040_ = _e1553;
+                                let _e1747 = phi_3763_;
+                                let _e1749 = phi_3376_;
+                                let _e1751 = phi_3377_;
+                                let _e1753 = phi_3378_;
+                                let _e1755 = phi_3379_;
+                                let _e1757 = phi_3380_;
+                                phi_3762_ = _e1747;
+                                phi_3381_ = _e1749;
+                                phi_3382_ = _e1751;
+                                phi_3383_ = _e1753;
+                                phi_3384_ = _e1755;
+                                phi_3385_ = _e1757;
                             } else {
-                                phi_3301_ = _e473;
-                                phi_3036_ = type_29();
-                                phi_3037_ = type_50();
-                                phi_3038_ = u32();
-                                phi_3039_ = bool();
-                                phi_3040_ = u32();
+                                phi_3762_ = _e635;
+                                phi_3381_ = type_29();
+                                phi_3382_ = type_50();
+                                phi_3383_ = u32();
+                                phi_3384_ = bool();
+                                phi_3385_ = u32();
                             }
-                            let _e1555 = phi_3301_;
-                            let _e1557 = phi_3036_;
-                            let _e1559 = phi_3037_;
-                            let _e1561 = phi_3038_;
-                            let _e1563 = phi_3039_;
-                            let _e1565 = phi_3040_;
-                            phi_3300_ = _e1555;
-                            phi_776_ = _e1557;
-                            phi_779_ = _e1559;
-                            phi_781_ = _e1561;
-                            phi_783_ = _e1563;
-                            phi_785_ = _e1565;
-                            phi_3041_ = _e487;
+                            let _e1759 = phi_3762_;
+                            let _e1761 = phi_3381_;
+                            let _e1763 = phi_3382_;
+                            let _e1765 = phi_3383_;
+                            let _e1767 = phi_3384_;
+                            let _e1769 = phi_3385_;
+                            phi_3761_ = _e1759;
+                            phi_1079_ = _e1761;
+                            phi_1082_ = _e1763;
+                            phi_1084_ = _e1765;
+                            phi_1086_ = _e1767;
+                            phi_1088_ = _e1769;
+                            phi_3386_ = _e649;
                         } else {
-                            phi_3300_ = _e473;
-                            phi_776_ = type_29();
-                            phi_779_ = type_50();
-                            phi_781_ = u32();
-                            phi_783_ = bool();
-                            phi_785_ = u32();
-                            phi_3041_ = false;
+                            phi_3761_ = _e635;
+                            phi_1079_ = type_29();
+                            phi_1082_ = type_50();
+                            phi_1084_ = u32();
+                            phi_1086_ = bool();
+                            phi_1088_ = u32();
+                            phi_3386_ = false;
                         }
-                        let _e1567 = phi_3300_;
-                        let _e1569 = phi_776_;
-                        let _e1571 = phi_779_;
-                        let _e1573 = phi_781_;
-                        let _e1575 = phi_783_;
-                        let _e1577 = phi_785_;
-                        let _e1579 = phi_3041_;
+                        let _e1771 = phi_3761_;
+                        let _e1773 = phi_1079_;
+                        let _e1775 = phi_1082_;
+                        let _e1777 = phi_1084_;
+                        let _e1779 = phi_1086_;
+                        let _e1781 = phi_1088_;
+                        let _e1783 = phi_3386_;
                         continue;
                         continuing {
-                            phi_3145_ = _e1567;
-                            phi_775_ = _e1569;
-                            phi_778_ = _e1571;
-                            phi_780_ = _e1573;
-                            phi_782_ = _e1575;
-                            phi_784_ = _e1577;
-                            phi_3299_ = _e1567;
-                            break if !(_e1579);
+                            phi_3588_ = _e1771;
+                            phi_1078_ = _e1773;
+                            phi_1081_ = _e1775;
+                            phi_1083_ = _e1777;
+                            phi_1085_ = _e1779;
+                            phi_1087_ = _e1781;
+                            phi_3760_ = _e1771;
+                            break if !(_e1783);
                         }
                     }
-                    let _e1582 = phi_3299_;
-                    if _e1582 {
+                    let _e1786 = phi_3760_;
+                    if _e1786 {
                         break;
                     }
-                    let _e1584 = local_10;
-                    if (_e1584.member.member_3 != 4294967295u) {
-                        let _e1589 = -(_e408);
-                        let _e1590 = (_e1589 / 3i);
-                        let _e1597 = bitcast<f32>((bitcast<u32>((_e1590 + 127i)) << bitcast<u32>(23i)));
-                        let _e1605 = (((_e1584.member.member * _e1597) * _e1597) * bitcast<f32>((bitcast<u32>(((_e1589 - (2i * _e1590)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1607 = select(340282350000000000000000000000000000000f, _e1605, (_e1605 < 340282350000000000000000000000000000000f));
-                        phi_3093_ = type_18(select(-340282350000000000000000000000000000000f, _e1607, (_e1607 > -340282350000000000000000000000000000000f)), _e1584.member.member_1, _e1584.member.member_2, _e1584.member.member_3);
+                    let _e1788 = local_10;
+                    if (_e1788.member.member_3 != 4294967295u) {
+                        let _e1793 = -(_e505);
+                        let _e1794 = bitcast<u32>(_e1788.member.member);
+                        let _e1798 = (bitcast<i32>((_e1794 >> bitcast<u32>(23i))) & 255i);
+                        let _e1799 = (_e1798 + _e1793);
+                        if (_e1798 == 255i) {
+                            phi_3445_ = _e1788.member.member;
+                        } else {
+                            if (_e1798 > 0i) {
+                                if (_e1799 > 0i) {
+                                    let _e1803 = (_e1799 < 255i);
+                                    if _e1803 {
+                                        phi_3424_ = bitcast<f32>((_e1794 + bitcast<u32>((_e1793 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_3424_ = f32();
+                                    }
+                                    let _e1810 = phi_3424_;
+                                    phi_3426_ = _e1810;
+                                    phi_3427_ = select(true, false, _e1803);
+                                } else {
+                                    phi_3426_ = f32();
+                                    phi_3427_ = true;
+                                }
+                                let _e1813 = phi_3426_;
+                                let _e1815 = phi_3427_;
+                                phi_3428_ = _e1813;
+                                phi_3429_ = _e1815;
+                            } else {
+                                phi_3428_ = f32();
+                                phi_3429_ = true;
+                            }
+                            let _e1817 = phi_3428_;
+                            let _e1819 = phi_3429_;
+                            if _e1819 {
+                                let _e1820 = (_e1794 & 2147483648u);
+                                let _e1827 = ((_e1794 & 8388607u) | (select(0u, 1u, ((_e1794 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1831 = (_e1827 == 0u);
+                                if _e1831 {
+                                    phi_3552_ = bitcast<f32>(_e1820);
+                                } else {
+                                    let _e1836 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1827)), 32u, _e1831) - 8u);
+                                    let _e1839 = (_e1827 << bitcast<u32>((_e1836 & 31u)));
+                                    let _e1841 = ((_e1799 + select(0i, 1i, (_e1798 == 0i))) - bitcast<i32>(_e1836));
+                                    if (_e1841 >= 255i) {
+                                        phi_3542_ = bitcast<f32>((_e1820 | 2139095040u));
+                                        phi_3543_ = f32();
+                                        phi_3544_ = true;
+                                    } else {
+                                        let _e1843 = (_e1841 > 0i);
+                                        if _e1843 {
+                                            phi_3536_ = bitcast<f32>(((_e1820 | (bitcast<u32>(_e1841) << bitcast<u32>(23i))) | (_e1839 & 8388607u)));
+                                            phi_3537_ = f32();
+                                        } else {
+                                            if (_e1841 < -24i) {
+                                                phi_3502_ = 26u;
+                                            } else {
+                                                phi_3502_ = bitcast<u32>((1i - _e1841));
+                                            }
+                                            let _e1848 = phi_3502_;
+                                            let _e1849 = (_e1848 & 31u);
+                                            let _e1851 = (_e1839 >> bitcast<u32>(_e1849));
+                                            let _e1855 = (_e1839 & ((1u << bitcast<u32>(_e1849)) - 1u));
+                                            let _e1859 = (1u << bitcast<u32>(((_e1848 - 1u) & 31u)));
+                                            if (_e1855 > _e1859) {
+                                                phi_3523_ = true;
+                                            } else {
+                                                if (_e1855 == _e1859) {
+                                                    phi_3520_ = ((_e1851 & 1u) == 1u);
+                                                } else {
+                                                    phi_3520_ = false;
+                                                }
+                                                let _e1865 = phi_3520_;
+                                                phi_3523_ = _e1865;
+                                            }
+                                            let _e1867 = phi_3523_;
+                                            phi_3536_ = f32();
+                                            phi_3537_ = bitcast<f32>((_e1820 | (_e1851 + select(0u, 1u, _e1867))));
+                                        }
+                                        let _e1880 = phi_3536_;
+                                        let _e1882 = phi_3537_;
+                                        phi_3542_ = _e1880;
+                                        phi_3543_ = _e1882;
+                                        phi_3544_ = _e1843;
+                                    }
+                                    let _e1886 = phi_3542_;
+                                    let _e1888 = phi_3543_;
+                                    let _e1890 = phi_3544_;
+                                    phi_3552_ = select(_e1888, _e1886, _e1890);
+                                }
+                                let _e1894 = phi_3552_;
+                                phi_3444_ = _e1894;
+                            } else {
+                                phi_3444_ = _e1817;
+                            }
+                            let _e1896 = phi_3444_;
+                            phi_3445_ = _e1896;
+                        }
+                        let _e1898 = phi_3445_;
+                        let _e1899 = bitcast<u32>(_e1898);
+                        if ((_e1899 & 2147483647u) >= 2139095040u) {
+                            phi_3457_ = bitcast<f32>(((_e1899 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_3457_ = _e1898;
+                        }
+                        let _e1906 = phi_3457_;
+                        phi_3462_ = type_18(_e1906, _e1788.member.member_1, _e1788.member.member_2, _e1788.member.member_3);
                     } else {
-                        phi_3093_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3462_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1614 = phi_3093_;
-                    if _e129 {
+                    let _e1911 = phi_3462_;
+                    if _e136 {
                     } else {
                         break;
                     }
-                    global_5.member[_e127] = _e1614;
+                    global_5.member[_e134] = _e1911;
                 }
             }
             break;

@@ -92,404 +92,481 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_381_: i32;
-    var phi_382_: i32;
-    var phi_392_: bool;
-    var phi_402_: u32;
-    var phi_403_: u32;
-    var phi_405_: bool;
-    var phi_410_: u32;
-    var phi_422_: i32;
-    var phi_442_: i32;
-    var phi_460_: f32;
-    var phi_466_: f32;
-    var phi_477_: f32;
-    var phi_483_: f32;
-    var phi_506_: f32;
-    var phi_517_: f32;
-    var phi_526_: f32;
-    var phi_532_: f32;
-    var phi_543_: f32;
-    var phi_549_: f32;
-    var phi_572_: f32;
-    var phi_583_: f32;
-    var phi_592_: f32;
-    var phi_598_: f32;
-    var phi_609_: f32;
-    var phi_615_: f32;
-    var phi_638_: f32;
-    var phi_649_: f32;
-    var phi_749_: f32;
-    var phi_750_: f32;
-    var phi_3450_: bool;
-    var phi_839_: type_37;
-    var phi_842_: type_50;
-    var phi_844_: u32;
-    var phi_846_: bool;
-    var phi_848_: u32;
-    var phi_859_: bool;
-    var phi_945_: type_50;
-    var phi_946_: bool;
-    var phi_947_: u32;
-    var phi_2697_: u32;
-    var phi_2698_: u32;
-    var phi_2708_: u32;
-    var phi_2710_: u32;
-    var phi_2711_: bool;
-    var phi_2731_: u32;
-    var phi_2732_: u32;
-    var phi_2736_: type_51;
-    var phi_3080_: type_50;
-    var phi_3157_: type_50;
-    var phi_3158_: type_50;
-    var phi_3159_: u32;
-    var phi_3161_: type_50;
-    var phi_3162_: u32;
-    var phi_3163_: bool;
-    var phi_3172_: type_50;
-    var phi_3177_: type_50;
-    var phi_3178_: bool;
-    var phi_965_: type_37;
-    var phi_968_: type_4;
-    var phi_969_: type_4;
-    var phi_991_: type_4;
-    var phi_1012_: u32;
-    var phi_1101_: array<array<f32, 3>, 3>;
-    var phi_1218_: bool;
-    var phi_1247_: bool;
-    var phi_1648_: f32;
-    var phi_1649_: f32;
-    var phi_1650_: f32;
-    var phi_1651_: f32;
-    var phi_1652_: vec3<f32>;
-    var phi_1653_: vec3<f32>;
-    var phi_1654_: vec3<f32>;
-    var phi_1655_: vec3<f32>;
-    var phi_1686_: bool;
-    var phi_1695_: vec3<f32>;
-    var phi_1860_: f32;
-    var phi_1862_: f32;
-    var phi_1863_: bool;
-    var phi_1883_: f32;
-    var phi_1884_: f32;
-    var phi_1907_: type_25;
-    var phi_1909_: type_25;
-    var phi_1910_: bool;
-    var phi_1914_: type_25;
-    var phi_1915_: type_25;
-    var phi_1916_: type_25;
-    var phi_1917_: bool;
-    var phi_1921_: type_25;
-    var phi_1922_: bool;
-    var phi_1923_: type_25;
-    var phi_1924_: bool;
-    var phi_1925_: bool;
-    var phi_1926_: type_25;
-    var phi_1927_: bool;
-    var phi_1928_: bool;
-    var phi_1936_: type_25;
-    var phi_1937_: bool;
-    var phi_1941_: type_25;
-    var phi_1966_: bool;
-    var phi_1967_: bool;
-    var phi_1973_: type_37;
-    var phi_1974_: type_37;
-    var phi_1975_: type_37;
-    var phi_966_: type_37;
-    var phi_3444_: bool;
-    var phi_3590_: bool;
-    var phi_3180_: type_37;
-    var phi_3181_: type_50;
-    var phi_3182_: bool;
-    var phi_3183_: u32;
-    var phi_3589_: bool;
-    var phi_3184_: type_37;
-    var phi_3185_: type_50;
-    var phi_3186_: u32;
-    var phi_3187_: bool;
-    var phi_3188_: u32;
-    var phi_3588_: bool;
-    var phi_3189_: type_37;
-    var phi_3190_: type_50;
-    var phi_3191_: u32;
-    var phi_3192_: bool;
-    var phi_3193_: u32;
-    var phi_3587_: bool;
-    var phi_840_: type_37;
-    var phi_843_: type_50;
-    var phi_845_: u32;
-    var phi_847_: bool;
-    var phi_849_: u32;
-    var phi_3194_: bool;
-    var phi_3586_: bool;
+    var phi_465_: i32;
+    var phi_466_: i32;
+    var phi_476_: bool;
+    var phi_486_: u32;
+    var phi_487_: u32;
+    var phi_489_: bool;
+    var phi_494_: u32;
+    var phi_506_: i32;
+    var phi_526_: i32;
+    var phi_544_: f32;
+    var phi_550_: f32;
+    var phi_590_: f32;
+    var phi_596_: f32;
+    var phi_648_: f32;
+    var phi_659_: f32;
+    var phi_668_: f32;
+    var phi_674_: f32;
+    var phi_714_: f32;
+    var phi_720_: f32;
+    var phi_772_: f32;
+    var phi_783_: f32;
+    var phi_792_: f32;
+    var phi_798_: f32;
+    var phi_838_: f32;
+    var phi_844_: f32;
+    var phi_896_: f32;
+    var phi_907_: f32;
+    var phi_962_: i32;
+    var phi_984_: u32;
+    var phi_985_: u32;
+    var phi_1022_: i32;
+    var phi_1044_: u32;
+    var phi_1045_: u32;
+    var phi_1053_: f32;
+    var phi_1054_: f32;
+    var phi_3860_: bool;
+    var phi_1143_: type_37;
+    var phi_1146_: type_50;
+    var phi_1148_: u32;
+    var phi_1150_: bool;
+    var phi_1152_: u32;
+    var phi_1163_: bool;
+    var phi_1249_: type_50;
+    var phi_1250_: bool;
+    var phi_1251_: u32;
+    var phi_3001_: u32;
+    var phi_3002_: u32;
+    var phi_3012_: u32;
+    var phi_3014_: u32;
+    var phi_3015_: bool;
+    var phi_3035_: u32;
+    var phi_3036_: u32;
+    var phi_3040_: type_51;
+    var phi_3384_: type_50;
+    var phi_3461_: type_50;
+    var phi_3462_: type_50;
+    var phi_3463_: u32;
+    var phi_3465_: type_50;
+    var phi_3466_: u32;
+    var phi_3467_: bool;
+    var phi_3476_: type_50;
+    var phi_3481_: type_50;
+    var phi_3482_: bool;
+    var phi_1269_: type_37;
+    var phi_1272_: type_4;
+    var phi_1273_: type_4;
+    var phi_1295_: type_4;
+    var phi_1316_: u32;
+    var phi_1405_: array<array<f32, 3>, 3>;
+    var phi_1522_: bool;
+    var phi_1551_: bool;
+    var phi_1952_: f32;
+    var phi_1953_: f32;
+    var phi_1954_: f32;
+    var phi_1955_: f32;
+    var phi_1956_: vec3<f32>;
+    var phi_1957_: vec3<f32>;
+    var phi_1958_: vec3<f32>;
+    var phi_1959_: vec3<f32>;
+    var phi_1990_: bool;
+    var phi_1999_: vec3<f32>;
+    var phi_2164_: f32;
+    var phi_2166_: f32;
+    var phi_2167_: bool;
+    var phi_2187_: f32;
+    var phi_2188_: f32;
+    var phi_2211_: type_25;
+    var phi_2213_: type_25;
+    var phi_2214_: bool;
+    var phi_2218_: type_25;
+    var phi_2219_: type_25;
+    var phi_2220_: type_25;
+    var phi_2221_: bool;
+    var phi_2225_: type_25;
+    var phi_2226_: bool;
+    var phi_2227_: type_25;
+    var phi_2228_: bool;
+    var phi_2229_: bool;
+    var phi_2230_: type_25;
+    var phi_2231_: bool;
+    var phi_2232_: bool;
+    var phi_2240_: type_25;
+    var phi_2241_: bool;
+    var phi_2245_: type_25;
+    var phi_2270_: bool;
+    var phi_2271_: bool;
+    var phi_2277_: type_37;
+    var phi_2278_: type_37;
+    var phi_2279_: type_37;
+    var phi_1270_: type_37;
+    var phi_3854_: bool;
+    var phi_4018_: bool;
+    var phi_3484_: type_37;
+    var phi_3485_: type_50;
+    var phi_3486_: bool;
+    var phi_3487_: u32;
+    var phi_4017_: bool;
+    var phi_3488_: type_37;
+    var phi_3489_: type_50;
+    var phi_3490_: u32;
+    var phi_3491_: bool;
+    var phi_3492_: u32;
+    var phi_4016_: bool;
+    var phi_3493_: type_37;
+    var phi_3494_: type_50;
+    var phi_3495_: u32;
+    var phi_3496_: bool;
+    var phi_3497_: u32;
+    var phi_4015_: bool;
+    var phi_1144_: type_37;
+    var phi_1147_: type_50;
+    var phi_1149_: u32;
+    var phi_1151_: bool;
+    var phi_1153_: u32;
+    var phi_3498_: bool;
+    var phi_4014_: bool;
     var local_10: type_37;
-    var phi_3246_: type_25;
+    var phi_3536_: f32;
+    var phi_3538_: f32;
+    var phi_3539_: bool;
+    var phi_3540_: f32;
+    var phi_3541_: bool;
+    var phi_3762_: u32;
+    var phi_3780_: bool;
+    var phi_3783_: bool;
+    var phi_3796_: f32;
+    var phi_3797_: f32;
+    var phi_3802_: f32;
+    var phi_3803_: f32;
+    var phi_3804_: bool;
+    var phi_3812_: f32;
+    var phi_3556_: f32;
+    var phi_3557_: f32;
+    var phi_3569_: f32;
+    var phi_3574_: type_25;
     var local_11: type_37;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e85 = global;
-            let _e87 = arrayLength((&global_4.member));
-            let _e89 = arrayLength((&global_2.member));
-            let _e97 = global_3.member[0u][0u];
-            let _e101 = global_3.member[0u][1u];
-            let _e105 = global_3.member[0u][2u];
-            let _e109 = global_3.member[0u][3u];
-            let _e113 = global_3.member[1u][0u];
-            let _e117 = global_3.member[1u][1u];
-            let _e121 = global_3.member[1u][2u];
-            let _e124 = global_1.member[0u];
-            let _e125 = bitcast<i32>(_e124);
-            let _e137 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e109) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e97), bitcast<i32>(_e101), bitcast<i32>(_e105));
-            local = array<i32, 3>(bitcast<i32>(_e113), bitcast<i32>(_e117), bitcast<i32>(_e121));
-            let _e143 = (_e85.x + (_e85.y * 2097152u));
-            let _e144 = (_e143 < arrayLength((&global_5.member)));
-            if _e144 {
-                let _e145 = (_e143 < arrayLength((&global_6.member)));
-                if _e145 {
-                    if _e144 {
+            let _e92 = global;
+            let _e94 = arrayLength((&global_4.member));
+            let _e96 = arrayLength((&global_2.member));
+            let _e104 = global_3.member[0u][0u];
+            let _e108 = global_3.member[0u][1u];
+            let _e112 = global_3.member[0u][2u];
+            let _e116 = global_3.member[0u][3u];
+            let _e120 = global_3.member[1u][0u];
+            let _e124 = global_3.member[1u][1u];
+            let _e128 = global_3.member[1u][2u];
+            let _e131 = global_1.member[0u];
+            let _e132 = bitcast<i32>(_e131);
+            let _e144 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e116) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e104), bitcast<i32>(_e108), bitcast<i32>(_e112));
+            local = array<i32, 3>(bitcast<i32>(_e120), bitcast<i32>(_e124), bitcast<i32>(_e128));
+            let _e150 = (_e92.x + (_e92.y * 2097152u));
+            let _e151 = (_e150 < arrayLength((&global_5.member)));
+            if _e151 {
+                let _e152 = (_e150 < arrayLength((&global_6.member)));
+                if _e152 {
+                    if _e151 {
                     } else {
                         break;
                     }
-                    let _e153 = global_5.member[_e143].member_2[0u];
-                    let _e155 = (bitcast<u32>(_e153) & 2147483647u);
-                    let _e160 = global_5.member[_e143].member_2[1u];
+                    let _e160 = global_5.member[_e150].member_2[0u];
                     let _e162 = (bitcast<u32>(_e160) & 2147483647u);
-                    let _e167 = global_5.member[_e143].member_2[2u];
+                    let _e167 = global_5.member[_e150].member_2[1u];
                     let _e169 = (bitcast<u32>(_e167) & 2147483647u);
-                    let _e174 = global_5.member[_e143].member[0u];
+                    let _e174 = global_5.member[_e150].member_2[2u];
                     let _e176 = (bitcast<u32>(_e174) & 2147483647u);
-                    let _e181 = global_5.member[_e143].member[1u];
+                    let _e181 = global_5.member[_e150].member[0u];
                     let _e183 = (bitcast<u32>(_e181) & 2147483647u);
-                    let _e188 = global_5.member[_e143].member[2u];
+                    let _e188 = global_5.member[_e150].member[1u];
                     let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                    let _e192 = select(_e162, _e155, (_e162 < _e155));
-                    let _e194 = select(_e169, _e192, (_e169 < _e192));
-                    let _e196 = select(_e176, _e194, (_e176 < _e194));
-                    let _e198 = select(_e183, _e196, (_e183 < _e196));
-                    let _e200 = select(_e190, _e198, (_e190 < _e198));
-                    let _e204 = global_5.member[_e143].member_1;
-                    let _e206 = (bitcast<u32>(_e204) & 2147483647u);
-                    let _e213 = global_5.member[_e143].member_3;
-                    let _e219 = (((select(_e206, _e200, (_e206 < _e200)) < 2139095040u) && ((bitcast<u32>(_e213) & 2147483647u) <= 2139095040u)) && (_e194 > 0u));
-                    if _e219 {
-                        let _e222 = (bitcast<u32>(bitcast<f32>(_e194)) & 2147483647u);
-                        if (_e222 >= 8388608u) {
-                            phi_381_ = (bitcast<i32>((_e222 >> bitcast<u32>(23i))) - 127i);
+                    let _e195 = global_5.member[_e150].member[2u];
+                    let _e197 = (bitcast<u32>(_e195) & 2147483647u);
+                    let _e199 = select(_e169, _e162, (_e169 < _e162));
+                    let _e201 = select(_e176, _e199, (_e176 < _e199));
+                    let _e203 = select(_e183, _e201, (_e183 < _e201));
+                    let _e205 = select(_e190, _e203, (_e190 < _e203));
+                    let _e207 = select(_e197, _e205, (_e197 < _e205));
+                    let _e211 = global_5.member[_e150].member_1;
+                    let _e212 = bitcast<u32>(_e211);
+                    let _e213 = (_e212 & 2147483647u);
+                    let _e220 = global_5.member[_e150].member_3;
+                    let _e221 = bitcast<u32>(_e220);
+                    let _e222 = (_e221 & 2147483647u);
+                    let _e226 = (((select(_e213, _e207, (_e213 < _e207)) < 2139095040u) && (_e222 <= 2139095040u)) && (_e201 > 0u));
+                    if _e226 {
+                        let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
+                        if (_e229 >= 8388608u) {
+                            phi_465_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_381_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e222)), 32u, (_e222 == 0u))));
+                            phi_465_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
                         }
-                        let _e236 = phi_381_;
-                        phi_382_ = _e236;
+                        let _e243 = phi_465_;
+                        phi_466_ = _e243;
                     } else {
-                        phi_382_ = 0i;
+                        phi_466_ = 0i;
                     }
-                    let _e238 = phi_382_;
-                    let _e239 = (_e155 == _e194);
-                    if _e239 {
-                        phi_392_ = true;
+                    let _e245 = phi_466_;
+                    let _e246 = (_e162 == _e201);
+                    if _e246 {
+                        phi_476_ = true;
                     } else {
-                        phi_392_ = (_e162 == _e194);
+                        phi_476_ = (_e169 == _e201);
                     }
-                    let _e242 = phi_392_;
-                    let _e243 = select(1u, 0u, _e239);
-                    if _e242 {
-                        let _e244 = (_e243 + 1u);
-                        phi_402_ = _e244;
-                        phi_403_ = _e244;
-                        phi_405_ = select(true, false, (_e244 == 2u));
+                    let _e249 = phi_476_;
+                    let _e250 = select(1u, 0u, _e246);
+                    if _e249 {
+                        let _e251 = (_e250 + 1u);
+                        phi_486_ = _e251;
+                        phi_487_ = _e251;
+                        phi_489_ = select(true, false, (_e251 == 2u));
                     } else {
-                        phi_402_ = u32();
-                        phi_403_ = 0u;
-                        phi_405_ = true;
+                        phi_486_ = u32();
+                        phi_487_ = 0u;
+                        phi_489_ = true;
                     }
-                    let _e248 = phi_402_;
-                    let _e250 = phi_403_;
-                    let _e252 = phi_405_;
-                    if _e252 {
-                        phi_410_ = (_e250 + 1u);
+                    let _e255 = phi_486_;
+                    let _e257 = phi_487_;
+                    let _e259 = phi_489_;
+                    if _e259 {
+                        phi_494_ = (_e257 + 1u);
                     } else {
-                        phi_410_ = 0u;
+                        phi_494_ = 0u;
                     }
-                    let _e256 = phi_410_;
-                    let _e257 = select(_e248, _e250, _e252);
-                    let _e258 = select(_e243, select(2u, _e243, _e242), _e252);
-                    if (_e125 < -126i) {
-                        phi_422_ = -126i;
+                    let _e263 = phi_494_;
+                    let _e264 = select(_e255, _e257, _e259);
+                    let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
+                    if (_e132 < -126i) {
+                        phi_506_ = -126i;
                     } else {
-                        phi_422_ = select(_e125, 127i, (_e125 > 127i));
+                        phi_506_ = select(_e132, 127i, (_e132 > 127i));
                     }
-                    let _e263 = phi_422_;
-                    let _e268 = bitcast<f32>((bitcast<u32>((_e263 + 127i)) << bitcast<u32>(23i)));
-                    let _e274 = bitcast<f32>((bitcast<u32>(((_e125 - _e263) + 127i)) << bitcast<u32>(23i)));
-                    let _e275 = -(_e238);
-                    if (_e275 < -126i) {
-                        phi_442_ = -126i;
+                    let _e270 = phi_506_;
+                    let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
+                    let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
+                    let _e282 = -(_e245);
+                    if (_e282 < -126i) {
+                        phi_526_ = -126i;
                     } else {
-                        phi_442_ = select(_e275, 127i, (_e275 > 127i));
+                        phi_526_ = select(_e282, 127i, (_e282 > 127i));
                     }
-                    let _e280 = phi_442_;
-                    let _e285 = bitcast<f32>((bitcast<u32>((_e280 + 127i)) << bitcast<u32>(23i)));
-                    let _e291 = bitcast<f32>((bitcast<u32>(((_e275 - _e280) + 127i)) << bitcast<u32>(23i)));
-                    let _e295 = global_5.member[_e143].member;
-                    let _e296 = (_e257 == 0u);
-                    if _e296 {
-                        phi_460_ = _e295[0];
+                    let _e287 = phi_526_;
+                    let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
+                    let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
+                    let _e302 = global_5.member[_e150].member;
+                    let _e303 = (_e264 == 0u);
+                    if _e303 {
+                        phi_544_ = _e302[0];
                     } else {
-                        phi_460_ = _e295[1];
+                        phi_544_ = _e302[1];
                     }
-                    let _e300 = phi_460_;
-                    let _e301 = (_e257 == 2u);
-                    if _e301 {
-                        phi_466_ = _e295[2];
+                    let _e307 = phi_544_;
+                    let _e308 = (_e264 == 2u);
+                    if _e308 {
+                        phi_550_ = _e302[2];
                     } else {
-                        phi_466_ = _e300;
+                        phi_550_ = _e307;
                     }
-                    let _e304 = phi_466_;
-                    let _e306 = ((_e304 * _e268) * _e274);
-                    let _e307 = global_5.member[_e143].member_2;
-                    if _e296 {
-                        phi_477_ = _e307[0];
+                    let _e311 = phi_550_;
+                    let _e312 = bitcast<u32>(_e311);
+                    let _e314 = ((_e312 & 2139095040u) != 0u);
+                    let _e328 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e312 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e312 & 2147483648u))), _e311, _e314) * _e275) * select(0.00000011920929f, 1f, _e314)) * _e281);
+                    let _e329 = global_5.member[_e150].member_2;
+                    if _e303 {
+                        phi_590_ = _e329[0];
                     } else {
-                        phi_477_ = _e307[1];
+                        phi_590_ = _e329[1];
                     }
-                    let _e311 = phi_477_;
-                    if _e301 {
-                        phi_483_ = _e307[2];
+                    let _e333 = phi_590_;
+                    if _e308 {
+                        phi_596_ = _e329[2];
                     } else {
-                        phi_483_ = _e311;
+                        phi_596_ = _e333;
                     }
-                    let _e314 = phi_483_;
-                    let _e316 = ((_e314 * _e285) * _e291);
-                    let _e320 = (bitcast<f32>((bitcast<u32>(_e316) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e320 {
-                        let _e324 = (bitcast<f32>((bitcast<u32>(_e306) & 2147483647u)) * 0.00000011920929f);
-                        phi_506_ = select(0.00000000000011368684f, _e324, (_e324 > 0.00000000000011368684f));
+                    let _e336 = phi_596_;
+                    let _e337 = bitcast<u32>(_e336);
+                    let _e339 = ((_e337 & 2139095040u) != 0u);
+                    let _e353 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e336, _e339) * _e292) * select(0.00000011920929f, 1f, _e339)) * _e298);
+                    let _e357 = (bitcast<f32>((bitcast<u32>(_e353) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e357 {
+                        let _e361 = (bitcast<f32>((bitcast<u32>(_e328) & 2147483647u)) * 0.00000011920929f);
+                        phi_648_ = select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f));
                     } else {
-                        phi_506_ = 0f;
+                        phi_648_ = 0f;
                     }
-                    let _e328 = phi_506_;
-                    let _e329 = (_e306 + _e328);
-                    let _e330 = (_e306 - _e328);
-                    let _e331 = select(_e316, 0f, _e320);
-                    if _e320 {
-                        phi_517_ = 38685626000000000000000000f;
+                    let _e365 = phi_648_;
+                    let _e366 = (_e328 + _e365);
+                    let _e367 = (_e328 - _e365);
+                    let _e368 = select(_e353, 0f, _e357);
+                    if _e357 {
+                        phi_659_ = 38685626000000000000000000f;
                     } else {
-                        phi_517_ = (1f / _e316);
+                        phi_659_ = (1f / _e353);
                     }
-                    let _e334 = phi_517_;
-                    let _e335 = (_e256 == 0u);
-                    if _e335 {
-                        phi_526_ = _e295[0];
+                    let _e371 = phi_659_;
+                    let _e372 = (_e263 == 0u);
+                    if _e372 {
+                        phi_668_ = _e302[0];
                     } else {
-                        phi_526_ = _e295[1];
+                        phi_668_ = _e302[1];
                     }
-                    let _e339 = phi_526_;
-                    let _e340 = (_e256 == 2u);
-                    if _e340 {
-                        phi_532_ = _e295[2];
+                    let _e376 = phi_668_;
+                    let _e377 = (_e263 == 2u);
+                    if _e377 {
+                        phi_674_ = _e302[2];
                     } else {
-                        phi_532_ = _e339;
+                        phi_674_ = _e376;
                     }
-                    let _e343 = phi_532_;
-                    let _e345 = ((_e343 * _e268) * _e274);
-                    if _e335 {
-                        phi_543_ = _e307[0];
+                    let _e380 = phi_674_;
+                    let _e381 = bitcast<u32>(_e380);
+                    let _e383 = ((_e381 & 2139095040u) != 0u);
+                    let _e397 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e381 & 2147483648u))), _e380, _e383) * _e275) * select(0.00000011920929f, 1f, _e383)) * _e281);
+                    if _e372 {
+                        phi_714_ = _e329[0];
                     } else {
-                        phi_543_ = _e307[1];
+                        phi_714_ = _e329[1];
                     }
-                    let _e349 = phi_543_;
-                    if _e340 {
-                        phi_549_ = _e307[2];
+                    let _e401 = phi_714_;
+                    if _e377 {
+                        phi_720_ = _e329[2];
                     } else {
-                        phi_549_ = _e349;
+                        phi_720_ = _e401;
                     }
-                    let _e352 = phi_549_;
-                    let _e354 = ((_e352 * _e285) * _e291);
-                    let _e358 = (bitcast<f32>((bitcast<u32>(_e354) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e358 {
-                        let _e362 = (bitcast<f32>((bitcast<u32>(_e345) & 2147483647u)) * 0.00000011920929f);
-                        phi_572_ = select(0.00000000000011368684f, _e362, (_e362 > 0.00000000000011368684f));
+                    let _e404 = phi_720_;
+                    let _e405 = bitcast<u32>(_e404);
+                    let _e407 = ((_e405 & 2139095040u) != 0u);
+                    let _e421 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e405 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e405 & 2147483648u))), _e404, _e407) * _e292) * select(0.00000011920929f, 1f, _e407)) * _e298);
+                    let _e425 = (bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e425 {
+                        let _e429 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
+                        phi_772_ = select(0.00000000000011368684f, _e429, (_e429 > 0.00000000000011368684f));
                     } else {
-                        phi_572_ = 0f;
+                        phi_772_ = 0f;
                     }
-                    let _e366 = phi_572_;
-                    let _e367 = (_e345 + _e366);
-                    let _e368 = (_e345 - _e366);
-                    let _e369 = select(_e354, 0f, _e358);
-                    if _e358 {
-                        phi_583_ = 38685626000000000000000000f;
+                    let _e433 = phi_772_;
+                    let _e434 = (_e397 + _e433);
+                    let _e435 = (_e397 - _e433);
+                    let _e436 = select(_e421, 0f, _e425);
+                    if _e425 {
+                        phi_783_ = 38685626000000000000000000f;
                     } else {
-                        phi_583_ = (1f / _e354);
+                        phi_783_ = (1f / _e421);
                     }
-                    let _e372 = phi_583_;
-                    let _e373 = (_e258 == 0u);
-                    if _e373 {
-                        phi_592_ = _e295[0];
+                    let _e439 = phi_783_;
+                    let _e440 = (_e265 == 0u);
+                    if _e440 {
+                        phi_792_ = _e302[0];
                     } else {
-                        phi_592_ = _e295[1];
+                        phi_792_ = _e302[1];
                     }
-                    let _e377 = phi_592_;
-                    let _e378 = (_e258 == 2u);
-                    if _e378 {
-                        phi_598_ = _e295[2];
+                    let _e444 = phi_792_;
+                    let _e445 = (_e265 == 2u);
+                    if _e445 {
+                        phi_798_ = _e302[2];
                     } else {
-                        phi_598_ = _e377;
+                        phi_798_ = _e444;
                     }
-                    let _e381 = phi_598_;
-                    let _e383 = ((_e381 * _e268) * _e274);
-                    if _e373 {
-                        phi_609_ = _e307[0];
+                    let _e448 = phi_798_;
+                    let _e449 = bitcast<u32>(_e448);
+                    let _e451 = ((_e449 & 2139095040u) != 0u);
+                    let _e465 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e449 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e449 & 2147483648u))), _e448, _e451) * _e275) * select(0.00000011920929f, 1f, _e451)) * _e281);
+                    if _e440 {
+                        phi_838_ = _e329[0];
                     } else {
-                        phi_609_ = _e307[1];
+                        phi_838_ = _e329[1];
                     }
-                    let _e387 = phi_609_;
-                    if _e378 {
-                        phi_615_ = _e307[2];
+                    let _e469 = phi_838_;
+                    if _e445 {
+                        phi_844_ = _e329[2];
                     } else {
-                        phi_615_ = _e387;
+                        phi_844_ = _e469;
                     }
-                    let _e390 = phi_615_;
-                    let _e392 = ((_e390 * _e285) * _e291);
-                    let _e396 = (bitcast<f32>((bitcast<u32>(_e392) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e396 {
-                        let _e400 = (bitcast<f32>((bitcast<u32>(_e383) & 2147483647u)) * 0.00000011920929f);
-                        phi_638_ = select(0.00000000000011368684f, _e400, (_e400 > 0.00000000000011368684f));
+                    let _e472 = phi_844_;
+                    let _e473 = bitcast<u32>(_e472);
+                    let _e475 = ((_e473 & 2139095040u) != 0u);
+                    let _e489 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e473 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e473 & 2147483648u))), _e472, _e475) * _e292) * select(0.00000011920929f, 1f, _e475)) * _e298);
+                    let _e493 = (bitcast<f32>((bitcast<u32>(_e489) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e493 {
+                        let _e497 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) * 0.00000011920929f);
+                        phi_896_ = select(0.00000000000011368684f, _e497, (_e497 > 0.00000000000011368684f));
                     } else {
-                        phi_638_ = 0f;
+                        phi_896_ = 0f;
                     }
-                    let _e404 = phi_638_;
-                    let _e405 = (_e383 + _e404);
-                    let _e406 = (_e383 - _e404);
-                    let _e407 = select(_e392, 0f, _e396);
-                    if _e396 {
-                        phi_649_ = 38685626000000000000000000f;
+                    let _e501 = phi_896_;
+                    let _e502 = (_e465 + _e501);
+                    let _e503 = (_e465 - _e501);
+                    let _e504 = select(_e489, 0f, _e493);
+                    if _e493 {
+                        phi_907_ = 38685626000000000000000000f;
                     } else {
-                        phi_649_ = (1f / _e392);
+                        phi_907_ = (1f / _e489);
                     }
-                    let _e410 = phi_649_;
-                    let _e413 = bitcast<f32>((bitcast<u32>(_e306) & 2147483647u));
-                    let _e416 = bitcast<f32>((bitcast<u32>(_e345) & 2147483647u));
-                    let _e418 = select(_e416, _e413, (_e413 > _e416));
-                    let _e421 = bitcast<f32>((bitcast<u32>(_e383) & 2147483647u));
-                    let _e424 = (_e125 + _e238);
-                    if (_e219 && (select(_e421, _e418, (_e418 > _e421)) <= 1099511600000f)) {
-                        let _e427 = (_e424 / 3i);
-                        let _e434 = bitcast<f32>((bitcast<u32>((_e427 + 127i)) << bitcast<u32>(23i)));
-                        let _e441 = bitcast<f32>((bitcast<u32>(((_e424 - (2i * _e427)) + 127i)) << bitcast<u32>(23i)));
-                        let _e442 = (((_e204 * _e434) * _e434) * _e441);
-                        let _e444 = select(340282350000000000000000000000000000000f, _e442, (_e442 < 340282350000000000000000000000000000000f));
-                        let _e449 = (((_e213 * _e434) * _e434) * _e441);
-                        let _e451 = select(340282350000000000000000000000000000000f, _e449, (_e449 < 340282350000000000000000000000000000000f));
-                        phi_749_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
-                        phi_750_ = select(-340282350000000000000000000000000000000f, _e444, (_e444 > -340282350000000000000000000000000000000f));
+                    let _e507 = phi_907_;
+                    let _e510 = bitcast<f32>((bitcast<u32>(_e328) & 2147483647u));
+                    let _e513 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
+                    let _e515 = select(_e513, _e510, (_e510 > _e513));
+                    let _e518 = bitcast<f32>((bitcast<u32>(_e465) & 2147483647u));
+                    let _e521 = (_e132 + _e245);
+                    if (_e226 && (select(_e518, _e515, (_e515 > _e518)) <= 1099511600000f)) {
+                        let _e531 = ((_e213 & 8388607u) | (select(0u, 1u, ((_e213 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e534 = bitcast<i32>((_e213 >> bitcast<u32>(23i)));
+                        let _e538 = (_e531 == 0u);
+                        let _e541 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e531)), 32u, _e538)) - 8i);
+                        if (_e534 == 255i) {
+                            phi_962_ = 255i;
+                        } else {
+                            phi_962_ = (((_e534 + select(0i, 1i, (_e534 == 0i))) - _e541) + _e521);
+                        }
+                        let _e549 = phi_962_;
+                        let _e559 = (_e549 <= 0i);
+                        if _e559 {
+                            phi_985_ = u32();
+                        } else {
+                            if _e538 {
+                                phi_984_ = u32();
+                            } else {
+                                phi_984_ = select(((bitcast<u32>(_e549) << bitcast<u32>(23i)) | ((_e531 << bitcast<u32>(((_e541 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e549 >= 255i));
+                            }
+                            let _e563 = phi_984_;
+                            phi_985_ = _e563;
+                        }
+                        let _e565 = phi_985_;
+                        let _e577 = ((_e222 & 8388607u) | (select(0u, 1u, ((_e222 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e580 = bitcast<i32>((_e222 >> bitcast<u32>(23i)));
+                        let _e584 = (_e577 == 0u);
+                        let _e587 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e577)), 32u, _e584)) - 8i);
+                        if (_e580 == 255i) {
+                            phi_1022_ = 255i;
+                        } else {
+                            phi_1022_ = (((_e580 + select(0i, 1i, (_e580 == 0i))) - _e587) + _e521);
+                        }
+                        let _e595 = phi_1022_;
+                        let _e605 = (_e595 <= 0i);
+                        if _e605 {
+                            phi_1045_ = u32();
+                        } else {
+                            if _e584 {
+                                phi_1044_ = u32();
+                            } else {
+                                phi_1044_ = select(((bitcast<u32>(_e595) << bitcast<u32>(23i)) | ((_e577 << bitcast<u32>(((_e587 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e595 >= 255i));
+                            }
+                            let _e609 = phi_1044_;
+                            phi_1045_ = _e609;
+                        }
+                        let _e611 = phi_1045_;
+                        phi_1053_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e611, 0u, select(_e584, true, _e605))));
+                        phi_1054_ = bitcast<f32>(((_e212 & 2147483648u) | select(_e565, 0u, select(_e538, true, _e559))));
                     } else {
-                        phi_749_ = 0f;
-                        phi_750_ = 1f;
+                        phi_1053_ = 0f;
+                        phi_1054_ = 1f;
                     }
-                    let _e455 = phi_749_;
-                    let _e457 = phi_750_;
+                    let _e617 = phi_1053_;
+                    let _e619 = phi_1054_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -498,932 +575,1031 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e461 = (_e257 % 3u);
-                    let _e462 = (_e461 < 3u);
-                    if _e462 {
+                    let _e623 = (_e264 % 3u);
+                    let _e624 = (_e623 < 3u);
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e464 = local_1[_e461];
-                    let _e467 = (_e256 % 3u);
-                    let _e468 = (_e467 < 3u);
-                    if _e468 {
+                    let _e626 = local_1[_e623];
+                    let _e629 = (_e263 % 3u);
+                    let _e630 = (_e629 < 3u);
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e470 = local_1[_e467];
-                    let _e473 = (_e258 % 3u);
-                    let _e474 = (_e473 < 3u);
-                    if _e474 {
+                    let _e632 = local_1[_e629];
+                    let _e635 = (_e265 % 3u);
+                    let _e636 = (_e635 < 3u);
+                    if _e636 {
                     } else {
                         break;
                     }
-                    let _e476 = local_1[_e473];
-                    if _e462 {
+                    let _e638 = local_1[_e635];
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e481 = local[_e461];
-                    if _e468 {
+                    let _e643 = local[_e623];
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e485 = local[_e467];
-                    if _e474 {
+                    let _e647 = local[_e629];
+                    if _e636 {
                     } else {
                         break;
                     }
-                    let _e489 = local[_e473];
-                    phi_3450_ = false;
-                    phi_839_ = type_37(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e455);
-                    phi_842_ = type_50(type_33(vec4<f32>((f32(_e464) * _e137), (f32(_e470) * _e137), (f32(_e476) * _e137), 0f), vec4<f32>((f32(_e481) * _e137), (f32(_e485) * _e137), (f32(_e489) * _e137), 0f)), select(0u, 2147483648u, (_e87 == 0u)));
-                    phi_844_ = ((3u * _e87) + 1u);
-                    phi_846_ = (_e457 <= _e455);
-                    phi_848_ = 0u;
+                    let _e651 = local[_e635];
+                    phi_3860_ = false;
+                    phi_1143_ = type_37(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e617);
+                    phi_1146_ = type_50(type_33(vec4<f32>((f32(_e626) * _e144), (f32(_e632) * _e144), (f32(_e638) * _e144), 0f), vec4<f32>((f32(_e643) * _e144), (f32(_e647) * _e144), (f32(_e651) * _e144), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
+                    phi_1148_ = ((3u * _e94) + 1u);
+                    phi_1150_ = (_e619 <= _e617);
+                    phi_1152_ = 0u;
                     loop {
-                        let _e499 = phi_3450_;
-                        let _e501 = phi_839_;
-                        let _e503 = phi_842_;
-                        let _e505 = phi_844_;
-                        let _e507 = phi_846_;
-                        let _e509 = phi_848_;
-                        local_10 = _e501;
-                        if _e507 {
-                            phi_859_ = true;
+                        let _e661 = phi_3860_;
+                        let _e663 = phi_1143_;
+                        let _e665 = phi_1146_;
+                        let _e667 = phi_1148_;
+                        let _e669 = phi_1150_;
+                        let _e671 = phi_1152_;
+                        local_10 = _e663;
+                        if _e669 {
+                            phi_1163_ = true;
                         } else {
-                            phi_859_ = (_e509 > 0u);
+                            phi_1163_ = (_e671 > 0u);
                         }
-                        let _e512 = phi_859_;
-                        if _e512 {
-                            let _e513 = (_e505 > 0u);
-                            if _e513 {
-                                if _e507 {
-                                    phi_945_ = _e503;
-                                    phi_946_ = _e507;
-                                    phi_947_ = _e509;
+                        let _e674 = phi_1163_;
+                        if _e674 {
+                            let _e675 = (_e667 > 0u);
+                            if _e675 {
+                                if _e669 {
+                                    phi_1249_ = _e665;
+                                    phi_1250_ = _e669;
+                                    phi_1251_ = _e671;
                                 } else {
-                                    let _e514 = (_e509 - 1u);
-                                    let _e515 = (_e514 % 128u);
-                                    let _e516 = (_e515 < 128u);
-                                    if _e516 {
+                                    let _e676 = (_e671 - 1u);
+                                    let _e677 = (_e676 % 128u);
+                                    let _e678 = (_e677 < 128u);
+                                    if _e678 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e518 = local_7[_e515];
-                                    if _e516 {
+                                    let _e680 = local_7[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e520 = local_6[_e515];
-                                    if _e516 {
+                                    let _e682 = local_6[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e522 = local_5[_e515];
-                                    if _e516 {
+                                    let _e684 = local_5[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e524 = local_4[_e515];
-                                    if _e516 {
+                                    let _e686 = local_4[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e526 = local_3[_e515];
-                                    if _e516 {
+                                    let _e688 = local_3[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e528 = local_2[_e515];
-                                    if _e516 {
+                                    let _e690 = local_2[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e533 = local_8[_e515];
-                                    if _e516 {
+                                    let _e695 = local_8[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e536 = local_9[_e515];
-                                    phi_945_ = type_50(type_33(vec4<f32>(_e518, _e520, _e522, 0f), vec4<f32>(_e524, _e526, _e528, 0f)), _e533);
-                                    phi_946_ = (_e536 <= _e501.member_1);
-                                    phi_947_ = _e514;
+                                    let _e698 = local_9[_e677];
+                                    phi_1249_ = type_50(type_33(vec4<f32>(_e680, _e682, _e684, 0f), vec4<f32>(_e686, _e688, _e690, 0f)), _e695);
+                                    phi_1250_ = (_e698 <= _e663.member_1);
+                                    phi_1251_ = _e676;
                                 }
-                                let _e540 = phi_945_;
-                                let _e542 = phi_946_;
-                                let _e544 = phi_947_;
-                                if _e542 {
-                                    if ((_e540.member_1 & 2147483648u) != 0u) {
-                                        phi_965_ = _e501;
-                                        phi_968_ = type_4(0u, ((_e540.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e702 = phi_1249_;
+                                let _e704 = phi_1250_;
+                                let _e706 = phi_1251_;
+                                if _e704 {
+                                    if ((_e702.member_1 & 2147483648u) != 0u) {
+                                        phi_1269_ = _e663;
+                                        phi_1272_ = type_4(0u, ((_e702.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e988 = phi_965_;
-                                            let _e990 = phi_968_;
-                                            local_11 = _e988;
-                                            if (_e990.member < _e990.member_1) {
-                                                phi_969_ = type_4((_e990.member + 1u), _e990.member_1);
-                                                phi_991_ = type_4(1u, _e990.member);
+                                            let _e1156 = phi_1269_;
+                                            let _e1158 = phi_1272_;
+                                            local_11 = _e1156;
+                                            if (_e1158.member < _e1158.member_1) {
+                                                phi_1273_ = type_4((_e1158.member + 1u), _e1158.member_1);
+                                                phi_1295_ = type_4(1u, _e1158.member);
                                             } else {
-                                                phi_969_ = _e990;
-                                                phi_991_ = type_4(0u, type_4().member_1);
+                                                phi_1273_ = _e1158;
+                                                phi_1295_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1003 = phi_969_;
-                                            let _e1005 = phi_991_;
-                                            let _e1009 = (bitcast<i32>(_e1005.member) != 0i);
-                                            if _e1009 {
-                                                let _e1010 = ((_e540.member_1 & 268435455u) + _e1005.member_1);
-                                                let _e1011 = (_e1010 < _e89);
-                                                if _e1011 {
-                                                    if _e1011 {
+                                            let _e1171 = phi_1273_;
+                                            let _e1173 = phi_1295_;
+                                            let _e1177 = (bitcast<i32>(_e1173.member) != 0i);
+                                            if _e1177 {
+                                                let _e1178 = ((_e702.member_1 & 268435455u) + _e1173.member_1);
+                                                let _e1179 = (_e1178 < _e96);
+                                                if _e1179 {
+                                                    if _e1179 {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1015 = global_2.member[_e1010].member_1;
-                                                    phi_1012_ = _e1015;
+                                                    let _e1183 = global_2.member[_e1178].member_1;
+                                                    phi_1316_ = _e1183;
                                                 } else {
-                                                    phi_1012_ = 4294967295u;
+                                                    phi_1316_ = 4294967295u;
                                                 }
-                                                let _e1017 = phi_1012_;
-                                                if (_e1010 >= _e89) {
-                                                    phi_1101_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1185 = phi_1316_;
+                                                if (_e1178 >= _e96) {
+                                                    phi_1405_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1011 {
+                                                    if _e1179 {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    if (_e461 < 9u) {
+                                                    if (_e623 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1024 = global_2.member[_e1010].member[_e461];
-                                                    if (_e467 < 9u) {
+                                                    let _e1192 = global_2.member[_e1178].member[_e623];
+                                                    if (_e629 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1030 = global_2.member[_e1010].member[_e467];
-                                                    if (_e473 < 9u) {
+                                                    let _e1198 = global_2.member[_e1178].member[_e629];
+                                                    if (_e635 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1036 = global_2.member[_e1010].member[_e473];
-                                                    let _e1038 = (3u + _e461);
-                                                    if (_e1038 < 9u) {
+                                                    let _e1204 = global_2.member[_e1178].member[_e635];
+                                                    let _e1206 = (3u + _e623);
+                                                    if (_e1206 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1044 = global_2.member[_e1010].member[_e1038];
-                                                    let _e1045 = (3u + _e467);
-                                                    if (_e1045 < 9u) {
+                                                    let _e1212 = global_2.member[_e1178].member[_e1206];
+                                                    let _e1213 = (3u + _e629);
+                                                    if (_e1213 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1051 = global_2.member[_e1010].member[_e1045];
-                                                    let _e1052 = (3u + _e473);
-                                                    if (_e1052 < 9u) {
+                                                    let _e1219 = global_2.member[_e1178].member[_e1213];
+                                                    let _e1220 = (3u + _e635);
+                                                    if (_e1220 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1058 = global_2.member[_e1010].member[_e1052];
-                                                    let _e1060 = (6u + _e461);
-                                                    if (_e1060 < 9u) {
+                                                    let _e1226 = global_2.member[_e1178].member[_e1220];
+                                                    let _e1228 = (6u + _e623);
+                                                    if (_e1228 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1066 = global_2.member[_e1010].member[_e1060];
-                                                    let _e1067 = (6u + _e467);
-                                                    if (_e1067 < 9u) {
+                                                    let _e1234 = global_2.member[_e1178].member[_e1228];
+                                                    let _e1235 = (6u + _e629);
+                                                    if (_e1235 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1073 = global_2.member[_e1010].member[_e1067];
-                                                    let _e1074 = (6u + _e473);
-                                                    if (_e1074 < 9u) {
+                                                    let _e1241 = global_2.member[_e1178].member[_e1235];
+                                                    let _e1242 = (6u + _e635);
+                                                    if (_e1242 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1080 = global_2.member[_e1010].member[_e1074];
-                                                    phi_1101_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1024, _e1030, _e1036), array<f32, 3>(_e1044, _e1051, _e1058), array<f32, 3>(_e1066, _e1073, _e1080));
+                                                    let _e1248 = global_2.member[_e1178].member[_e1242];
+                                                    phi_1405_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1192, _e1198, _e1204), array<f32, 3>(_e1212, _e1219, _e1226), array<f32, 3>(_e1234, _e1241, _e1248));
                                                 }
-                                                let _e1084 = phi_1101_;
-                                                let _e1092 = (_e1084[0][2] - _e383);
-                                                let _e1095 = (((_e1084[0][0] - _e306) * _e407) - (_e1092 * _e331));
-                                                let _e1098 = (((_e1084[0][1] - _e345) * _e407) - (_e1092 * _e369));
-                                                let _e1105 = (_e1084[1][2] - _e383);
-                                                let _e1108 = (((_e1084[1][0] - _e306) * _e407) - (_e1105 * _e331));
-                                                let _e1111 = (((_e1084[1][1] - _e345) * _e407) - (_e1105 * _e369));
-                                                let _e1118 = (_e1084[2][2] - _e383);
-                                                let _e1121 = (((_e1084[2][0] - _e306) * _e407) - (_e1118 * _e331));
-                                                let _e1124 = (((_e1084[2][1] - _e345) * _e407) - (_e1118 * _e369));
-                                                let _e1125 = (_e1121 * _e1111);
-                                                let _e1126 = (_e1124 * _e1108);
-                                                let _e1127 = (_e1095 * _e1124);
-                                                let _e1128 = (_e1098 * _e1121);
-                                                let _e1129 = (_e1108 * _e1098);
-                                                let _e1130 = (_e1111 * _e1095);
-                                                let _e1135 = (((_e1125 >= _e1126) && (_e1127 >= _e1128)) && (_e1129 >= _e1130));
-                                                if (_e1135 || (((_e1125 <= _e1126) && (_e1127 <= _e1128)) && (_e1129 <= _e1130))) {
-                                                    let _e1142 = select(-1f, 1f, _e1135);
-                                                    let _e1144 = ((_e1125 - _e1126) * _e1142);
-                                                    let _e1146 = select(0f, _e1144, (_e1144 > 0f));
-                                                    let _e1148 = ((_e1127 - _e1128) * _e1142);
-                                                    let _e1150 = select(0f, _e1148, (_e1148 > 0f));
-                                                    let _e1152 = ((_e1129 - _e1130) * _e1142);
-                                                    let _e1154 = select(0f, _e1152, (_e1152 > 0f));
-                                                    let _e1156 = ((_e1146 + _e1150) + _e1154);
-                                                    if (_e1156 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1926_ = type_25();
-                                                        phi_1927_ = true;
-                                                        phi_1928_ = false;
+                                                let _e1252 = phi_1405_;
+                                                let _e1260 = (_e1252[0][2] - _e465);
+                                                let _e1263 = (((_e1252[0][0] - _e328) * _e504) - (_e1260 * _e368));
+                                                let _e1266 = (((_e1252[0][1] - _e397) * _e504) - (_e1260 * _e436));
+                                                let _e1273 = (_e1252[1][2] - _e465);
+                                                let _e1276 = (((_e1252[1][0] - _e328) * _e504) - (_e1273 * _e368));
+                                                let _e1279 = (((_e1252[1][1] - _e397) * _e504) - (_e1273 * _e436));
+                                                let _e1286 = (_e1252[2][2] - _e465);
+                                                let _e1289 = (((_e1252[2][0] - _e328) * _e504) - (_e1286 * _e368));
+                                                let _e1292 = (((_e1252[2][1] - _e397) * _e504) - (_e1286 * _e436));
+                                                let _e1293 = (_e1289 * _e1279);
+                                                let _e1294 = (_e1292 * _e1276);
+                                                let _e1295 = (_e1263 * _e1292);
+                                                let _e1296 = (_e1266 * _e1289);
+                                                let _e1297 = (_e1276 * _e1266);
+                                                let _e1298 = (_e1279 * _e1263);
+                                                let _e1303 = (((_e1293 >= _e1294) && (_e1295 >= _e1296)) && (_e1297 >= _e1298));
+                                                if (_e1303 || (((_e1293 <= _e1294) && (_e1295 <= _e1296)) && (_e1297 <= _e1298))) {
+                                                    let _e1310 = select(-1f, 1f, _e1303);
+                                                    let _e1312 = ((_e1293 - _e1294) * _e1310);
+                                                    let _e1314 = select(0f, _e1312, (_e1312 > 0f));
+                                                    let _e1316 = ((_e1295 - _e1296) * _e1310);
+                                                    let _e1318 = select(0f, _e1316, (_e1316 > 0f));
+                                                    let _e1320 = ((_e1297 - _e1298) * _e1310);
+                                                    let _e1322 = select(0f, _e1320, (_e1320 > 0f));
+                                                    let _e1324 = ((_e1314 + _e1318) + _e1322);
+                                                    if (_e1324 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2230_ = type_25();
+                                                        phi_2231_ = true;
+                                                        phi_2232_ = false;
                                                     } else {
-                                                        let _e1159 = select(_e1108, _e1095, (_e1095 < _e1108));
-                                                        if (select(_e1121, _e1159, (_e1159 < _e1121)) > 0f) {
-                                                            phi_1218_ = true;
+                                                        let _e1327 = select(_e1276, _e1263, (_e1263 < _e1276));
+                                                        if (select(_e1289, _e1327, (_e1327 < _e1289)) > 0f) {
+                                                            phi_1522_ = true;
                                                         } else {
-                                                            let _e1164 = select(_e1108, _e1095, (_e1095 > _e1108));
-                                                            phi_1218_ = (select(_e1121, _e1164, (_e1164 > _e1121)) < 0f);
+                                                            let _e1332 = select(_e1276, _e1263, (_e1263 > _e1276));
+                                                            phi_1522_ = (select(_e1289, _e1332, (_e1332 > _e1289)) < 0f);
                                                         }
-                                                        let _e1169 = phi_1218_;
-                                                        if _e1169 {
-                                                            phi_1923_ = type_25();
-                                                            phi_1924_ = true;
-                                                            phi_1925_ = false;
+                                                        let _e1337 = phi_1522_;
+                                                        if _e1337 {
+                                                            phi_2227_ = type_25();
+                                                            phi_2228_ = true;
+                                                            phi_2229_ = false;
                                                         } else {
-                                                            let _e1171 = select(_e1111, _e1098, (_e1098 < _e1111));
-                                                            if (select(_e1124, _e1171, (_e1171 < _e1124)) > 0f) {
-                                                                phi_1247_ = true;
+                                                            let _e1339 = select(_e1279, _e1266, (_e1266 < _e1279));
+                                                            if (select(_e1292, _e1339, (_e1339 < _e1292)) > 0f) {
+                                                                phi_1551_ = true;
                                                             } else {
-                                                                let _e1176 = select(_e1111, _e1098, (_e1098 > _e1111));
-                                                                phi_1247_ = (select(_e1124, _e1176, (_e1176 > _e1124)) < 0f);
+                                                                let _e1344 = select(_e1279, _e1266, (_e1266 > _e1279));
+                                                                phi_1551_ = (select(_e1292, _e1344, (_e1344 > _e1292)) < 0f);
                                                             }
-                                                            let _e1181 = phi_1247_;
-                                                            if _e1181 {
-                                                                phi_1921_ = type_25();
-                                                                phi_1922_ = false;
+                                                            let _e1349 = phi_1551_;
+                                                            if _e1349 {
+                                                                phi_2225_ = type_25();
+                                                                phi_2226_ = false;
                                                             } else {
-                                                                let _e1183 = select(_e1084[1][0], _e1084[0][0], (_e1084[0][0] < _e1084[1][0]));
-                                                                let _e1187 = select(_e1084[1][0], _e1084[0][0], (_e1084[0][0] > _e1084[1][0]));
-                                                                let _e1191 = select(_e1084[1][1], _e1084[0][1], (_e1084[0][1] < _e1084[1][1]));
-                                                                let _e1195 = select(_e1084[1][1], _e1084[0][1], (_e1084[0][1] > _e1084[1][1]));
-                                                                let _e1199 = select(_e1084[1][2], _e1084[0][2], (_e1084[0][2] < _e1084[1][2]));
-                                                                let _e1203 = select(_e1084[1][2], _e1084[0][2], (_e1084[0][2] > _e1084[1][2]));
-                                                                let _e1208 = ((select(_e1084[2][0], _e1183, (_e1183 < _e1084[2][0])) - _e329) * _e334);
-                                                                let _e1209 = ((select(_e1084[2][0], _e1187, (_e1187 > _e1084[2][0])) - _e330) * _e334);
-                                                                let _e1212 = ((select(_e1084[2][1], _e1191, (_e1191 < _e1084[2][1])) - _e367) * _e372);
-                                                                let _e1213 = ((select(_e1084[2][1], _e1195, (_e1195 > _e1084[2][1])) - _e368) * _e372);
-                                                                let _e1216 = ((select(_e1084[2][2], _e1199, (_e1199 < _e1084[2][2])) - _e405) * _e410);
-                                                                let _e1217 = ((select(_e1084[2][2], _e1203, (_e1203 > _e1084[2][2])) - _e406) * _e410);
-                                                                let _e1219 = select(_e1217, _e1216, (_e1216 < _e1217));
-                                                                let _e1221 = select(_e1217, _e1216, (_e1216 > _e1217));
-                                                                let _e1223 = select(_e1209, _e1208, (_e1208 < _e1209));
-                                                                let _e1225 = select(_e1213, _e1212, (_e1212 < _e1213));
-                                                                let _e1227 = select(_e1225, _e1223, (_e1223 > _e1225));
-                                                                let _e1229 = select(_e1219, _e1227, (_e1227 > _e1219));
-                                                                let _e1231 = select(_e1209, _e1208, (_e1208 > _e1209));
-                                                                let _e1233 = select(_e1213, _e1212, (_e1212 > _e1213));
-                                                                let _e1235 = select(_e1233, _e1231, (_e1231 < _e1233));
-                                                                let _e1237 = select(_e1221, _e1235, (_e1235 < _e1221));
-                                                                let _e1238 = -(_e1219);
-                                                                let _e1244 = select(_e457, _e1229, (_e1229 > _e457));
-                                                                if (_e1244 > (_e1237 + (select(_e1238, _e1221, (_e1221 > _e1238)) * 0.0000019073523f))) {
-                                                                    phi_1916_ = type_25();
-                                                                    phi_1917_ = true;
+                                                                let _e1351 = select(_e1252[1][0], _e1252[0][0], (_e1252[0][0] < _e1252[1][0]));
+                                                                let _e1355 = select(_e1252[1][0], _e1252[0][0], (_e1252[0][0] > _e1252[1][0]));
+                                                                let _e1359 = select(_e1252[1][1], _e1252[0][1], (_e1252[0][1] < _e1252[1][1]));
+                                                                let _e1363 = select(_e1252[1][1], _e1252[0][1], (_e1252[0][1] > _e1252[1][1]));
+                                                                let _e1367 = select(_e1252[1][2], _e1252[0][2], (_e1252[0][2] < _e1252[1][2]));
+                                                                let _e1371 = select(_e1252[1][2], _e1252[0][2], (_e1252[0][2] > _e1252[1][2]));
+                                                                let _e1376 = ((select(_e1252[2][0], _e1351, (_e1351 < _e1252[2][0])) - _e366) * _e371);
+                                                                let _e1377 = ((select(_e1252[2][0], _e1355, (_e1355 > _e1252[2][0])) - _e367) * _e371);
+                                                                let _e1380 = ((select(_e1252[2][1], _e1359, (_e1359 < _e1252[2][1])) - _e434) * _e439);
+                                                                let _e1381 = ((select(_e1252[2][1], _e1363, (_e1363 > _e1252[2][1])) - _e435) * _e439);
+                                                                let _e1384 = ((select(_e1252[2][2], _e1367, (_e1367 < _e1252[2][2])) - _e502) * _e507);
+                                                                let _e1385 = ((select(_e1252[2][2], _e1371, (_e1371 > _e1252[2][2])) - _e503) * _e507);
+                                                                let _e1387 = select(_e1385, _e1384, (_e1384 < _e1385));
+                                                                let _e1389 = select(_e1385, _e1384, (_e1384 > _e1385));
+                                                                let _e1391 = select(_e1377, _e1376, (_e1376 < _e1377));
+                                                                let _e1393 = select(_e1381, _e1380, (_e1380 < _e1381));
+                                                                let _e1395 = select(_e1393, _e1391, (_e1391 > _e1393));
+                                                                let _e1397 = select(_e1387, _e1395, (_e1395 > _e1387));
+                                                                let _e1399 = select(_e1377, _e1376, (_e1376 > _e1377));
+                                                                let _e1401 = select(_e1381, _e1380, (_e1380 > _e1381));
+                                                                let _e1403 = select(_e1401, _e1399, (_e1399 < _e1401));
+                                                                let _e1405 = select(_e1389, _e1403, (_e1403 < _e1389));
+                                                                let _e1406 = -(_e1387);
+                                                                let _e1412 = select(_e619, _e1397, (_e1397 > _e619));
+                                                                if (_e1412 > (_e1405 + (select(_e1406, _e1389, (_e1389 > _e1406)) * 0.0000019073523f))) {
+                                                                    phi_2220_ = type_25();
+                                                                    phi_2221_ = true;
                                                                 } else {
-                                                                    let _e1246 = (_e1244 > _e988.member_1);
-                                                                    if _e1246 {
-                                                                        phi_1915_ = type_25();
+                                                                    let _e1414 = (_e1412 > _e1156.member_1);
+                                                                    if _e1414 {
+                                                                        phi_2219_ = type_25();
                                                                     } else {
-                                                                        let _e1247 = vec3<f32>(_e1084[0][0], _e1084[0][1], _e1084[0][2]);
-                                                                        let _e1248 = vec3<f32>(_e1084[1][0], _e1084[1][1], _e1084[1][2]);
-                                                                        let _e1249 = vec3<f32>(_e1084[2][0], _e1084[2][1], _e1084[2][2]);
-                                                                        let _e1250 = (_e1084[1][0] - _e1084[0][0]);
-                                                                        let _e1251 = (_e1084[1][1] - _e1084[0][1]);
-                                                                        let _e1252 = (_e1084[1][2] - _e1084[0][2]);
-                                                                        let _e1253 = vec3<f32>(_e1250, _e1251, _e1252);
-                                                                        let _e1254 = (_e1084[2][0] - _e1084[1][0]);
-                                                                        let _e1255 = (_e1084[2][1] - _e1084[1][1]);
-                                                                        let _e1256 = (_e1084[2][2] - _e1084[1][2]);
-                                                                        let _e1257 = vec3<f32>(_e1254, _e1255, _e1256);
-                                                                        let _e1258 = (_e1084[0][0] - _e1084[2][0]);
-                                                                        let _e1259 = (_e1084[0][1] - _e1084[2][1]);
-                                                                        let _e1260 = (_e1084[0][2] - _e1084[2][2]);
-                                                                        let _e1261 = vec3<f32>(_e1258, _e1259, _e1260);
-                                                                        let _e1264 = bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u));
-                                                                        let _e1267 = bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u));
-                                                                        let _e1269 = select(_e1267, _e1264, (_e1264 > _e1267));
-                                                                        let _e1272 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
-                                                                        let _e1274 = select(_e1272, _e1269, (_e1269 > _e1272));
-                                                                        let _e1277 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
-                                                                        let _e1280 = bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u));
-                                                                        let _e1282 = select(_e1280, _e1277, (_e1277 > _e1280));
-                                                                        let _e1285 = bitcast<f32>((bitcast<u32>(_e1256) & 2147483647u));
-                                                                        let _e1287 = select(_e1285, _e1282, (_e1282 > _e1285));
-                                                                        let _e1290 = bitcast<f32>((bitcast<u32>(_e1258) & 2147483647u));
-                                                                        let _e1293 = bitcast<f32>((bitcast<u32>(_e1259) & 2147483647u));
-                                                                        let _e1295 = select(_e1293, _e1290, (_e1290 > _e1293));
-                                                                        let _e1298 = bitcast<f32>((bitcast<u32>(_e1260) & 2147483647u));
-                                                                        let _e1300 = select(_e1298, _e1295, (_e1295 > _e1298));
-                                                                        let _e1302 = select(_e1287, _e1274, (_e1274 > _e1287));
-                                                                        let _e1304 = select(_e1300, _e1302, (_e1302 > _e1300));
-                                                                        if (_e1274 == _e1304) {
-                                                                            phi_1648_ = _e1111;
-                                                                            phi_1649_ = _e1108;
-                                                                            phi_1650_ = _e1098;
-                                                                            phi_1651_ = _e1095;
-                                                                            phi_1652_ = _e1247;
-                                                                            phi_1653_ = _e1261;
-                                                                            phi_1654_ = _e1257;
-                                                                            phi_1655_ = _e1253;
+                                                                        let _e1415 = vec3<f32>(_e1252[0][0], _e1252[0][1], _e1252[0][2]);
+                                                                        let _e1416 = vec3<f32>(_e1252[1][0], _e1252[1][1], _e1252[1][2]);
+                                                                        let _e1417 = vec3<f32>(_e1252[2][0], _e1252[2][1], _e1252[2][2]);
+                                                                        let _e1418 = (_e1252[1][0] - _e1252[0][0]);
+                                                                        let _e1419 = (_e1252[1][1] - _e1252[0][1]);
+                                                                        let _e1420 = (_e1252[1][2] - _e1252[0][2]);
+                                                                        let _e1421 = vec3<f32>(_e1418, _e1419, _e1420);
+                                                                        let _e1422 = (_e1252[2][0] - _e1252[1][0]);
+                                                                        let _e1423 = (_e1252[2][1] - _e1252[1][1]);
+                                                                        let _e1424 = (_e1252[2][2] - _e1252[1][2]);
+                                                                        let _e1425 = vec3<f32>(_e1422, _e1423, _e1424);
+                                                                        let _e1426 = (_e1252[0][0] - _e1252[2][0]);
+                                                                        let _e1427 = (_e1252[0][1] - _e1252[2][1]);
+                                                                        let _e1428 = (_e1252[0][2] - _e1252[2][2]);
+                                                                        let _e1429 = vec3<f32>(_e1426, _e1427, _e1428);
+                                                                        let _e1432 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
+                                                                        let _e1435 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
+                                                                        let _e1437 = select(_e1435, _e1432, (_e1432 > _e1435));
+                                                                        let _e1440 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
+                                                                        let _e1442 = select(_e1440, _e1437, (_e1437 > _e1440));
+                                                                        let _e1445 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
+                                                                        let _e1448 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
+                                                                        let _e1450 = select(_e1448, _e1445, (_e1445 > _e1448));
+                                                                        let _e1453 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
+                                                                        let _e1455 = select(_e1453, _e1450, (_e1450 > _e1453));
+                                                                        let _e1458 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
+                                                                        let _e1461 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                                        let _e1463 = select(_e1461, _e1458, (_e1458 > _e1461));
+                                                                        let _e1466 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
+                                                                        let _e1468 = select(_e1466, _e1463, (_e1463 > _e1466));
+                                                                        let _e1470 = select(_e1455, _e1442, (_e1442 > _e1455));
+                                                                        let _e1472 = select(_e1468, _e1470, (_e1470 > _e1468));
+                                                                        if (_e1442 == _e1472) {
+                                                                            phi_1952_ = _e1279;
+                                                                            phi_1953_ = _e1276;
+                                                                            phi_1954_ = _e1266;
+                                                                            phi_1955_ = _e1263;
+                                                                            phi_1956_ = _e1415;
+                                                                            phi_1957_ = _e1429;
+                                                                            phi_1958_ = _e1425;
+                                                                            phi_1959_ = _e1421;
                                                                         } else {
-                                                                            let _e1306 = (_e1287 == _e1304);
-                                                                            let _e1311 = vec3(_e1306);
-                                                                            phi_1648_ = select(_e1098, _e1124, _e1306);
-                                                                            phi_1649_ = select(_e1095, _e1121, _e1306);
-                                                                            phi_1650_ = select(_e1124, _e1111, _e1306);
-                                                                            phi_1651_ = select(_e1121, _e1108, _e1306);
-                                                                            phi_1652_ = select(_e1249, _e1248, _e1311);
-                                                                            phi_1653_ = select(_e1257, _e1253, _e1311);
-                                                                            phi_1654_ = select(_e1253, _e1261, _e1311);
-                                                                            phi_1655_ = select(_e1261, _e1257, _e1311);
+                                                                            let _e1474 = (_e1455 == _e1472);
+                                                                            let _e1479 = vec3(_e1474);
+                                                                            phi_1952_ = select(_e1266, _e1292, _e1474);
+                                                                            phi_1953_ = select(_e1263, _e1289, _e1474);
+                                                                            phi_1954_ = select(_e1292, _e1279, _e1474);
+                                                                            phi_1955_ = select(_e1289, _e1276, _e1474);
+                                                                            phi_1956_ = select(_e1417, _e1416, _e1479);
+                                                                            phi_1957_ = select(_e1425, _e1421, _e1479);
+                                                                            phi_1958_ = select(_e1421, _e1429, _e1479);
+                                                                            phi_1959_ = select(_e1429, _e1425, _e1479);
                                                                         }
-                                                                        let _e1317 = phi_1648_;
-                                                                        let _e1319 = phi_1649_;
-                                                                        let _e1321 = phi_1650_;
-                                                                        let _e1323 = phi_1651_;
-                                                                        let _e1325 = phi_1652_;
-                                                                        let _e1327 = phi_1653_;
-                                                                        let _e1329 = phi_1654_;
-                                                                        let _e1331 = phi_1655_;
-                                                                        let _e1338 = ((_e1329.y * _e1327.z) - (_e1327.y * _e1329.z));
-                                                                        let _e1343 = ((_e1329.z * _e1327.x) - (_e1327.z * _e1329.x));
-                                                                        let _e1346 = ((_e1329.x * _e1327.y) - (_e1327.x * _e1329.y));
-                                                                        if (_e1146 >= _e1150) {
-                                                                            phi_1686_ = select(true, false, (_e1146 >= _e1154));
+                                                                        let _e1485 = phi_1952_;
+                                                                        let _e1487 = phi_1953_;
+                                                                        let _e1489 = phi_1954_;
+                                                                        let _e1491 = phi_1955_;
+                                                                        let _e1493 = phi_1956_;
+                                                                        let _e1495 = phi_1957_;
+                                                                        let _e1497 = phi_1958_;
+                                                                        let _e1499 = phi_1959_;
+                                                                        let _e1506 = ((_e1497.y * _e1495.z) - (_e1495.y * _e1497.z));
+                                                                        let _e1511 = ((_e1497.z * _e1495.x) - (_e1495.z * _e1497.x));
+                                                                        let _e1514 = ((_e1497.x * _e1495.y) - (_e1495.x * _e1497.y));
+                                                                        if (_e1314 >= _e1318) {
+                                                                            phi_1990_ = select(true, false, (_e1314 >= _e1322));
                                                                         } else {
-                                                                            phi_1686_ = true;
+                                                                            phi_1990_ = true;
                                                                         }
-                                                                        let _e1351 = phi_1686_;
-                                                                        if _e1351 {
-                                                                            phi_1695_ = select(_e1249, _e1248, vec3((_e1150 >= _e1154)));
+                                                                        let _e1519 = phi_1990_;
+                                                                        if _e1519 {
+                                                                            phi_1999_ = select(_e1417, _e1416, vec3((_e1318 >= _e1322)));
                                                                         } else {
-                                                                            phi_1695_ = _e1247;
+                                                                            phi_1999_ = _e1415;
                                                                         }
-                                                                        let _e1356 = phi_1695_;
-                                                                        let _e1367 = (((_e1338 * (_e1356.x - _e306)) + (_e1343 * (_e1356.y - _e345))) + (_e1346 * (_e1356.z - _e383)));
-                                                                        let _e1372 = (((_e1338 * _e331) + (_e1343 * _e369)) + (_e1346 * _e407));
-                                                                        let _e1373 = (_e1319 - _e1323);
-                                                                        let _e1374 = (_e1317 - _e1321);
-                                                                        let _e1382 = (-(((_e1323 * _e1373) + (_e1321 * _e1374))) / ((_e1373 * _e1373) + (_e1374 * _e1374)));
-                                                                        let _e1384 = select(1f, _e1382, (_e1382 < 1f));
-                                                                        let _e1386 = select(0f, _e1384, (_e1384 > 0f));
-                                                                        let _e1399 = ((_e1325.x + (_e1331.x * _e1386)) - _e306);
-                                                                        let _e1400 = ((_e1325.y + (_e1331.y * _e1386)) - _e345);
-                                                                        let _e1401 = ((_e1325.z + (_e1331.z * _e1386)) - _e383);
-                                                                        let _e1402 = (_e1401 / _e407);
-                                                                        let _e1414 = bitcast<f32>((bitcast<u32>(_e1399) & 2147483647u));
-                                                                        let _e1417 = bitcast<f32>((bitcast<u32>(_e1400) & 2147483647u));
-                                                                        let _e1419 = select(_e1417, _e1414, (_e1414 > _e1417));
-                                                                        let _e1422 = bitcast<f32>((bitcast<u32>(_e1401) & 2147483647u));
-                                                                        let _e1424 = select(_e1422, _e1419, (_e1419 > _e1422));
-                                                                        let _e1430 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
-                                                                        let _e1433 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
-                                                                        let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
-                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1338 * _e1399) + (_e1343 * _e1400)) + (_e1346 * _e1401)) - _e1367)) & 2147483647u)) <= ((0.0000009536743f * select(_e1304, _e1424, (_e1424 > _e1304))) * select(_e1438, _e1435, (_e1435 > _e1438)))) {
-                                                                            let _e1448 = bitcast<f32>((bitcast<u32>(_e1329.x) & 2147483647u));
-                                                                            let _e1451 = bitcast<f32>((bitcast<u32>(_e1329.y) & 2147483647u));
-                                                                            let _e1453 = select(_e1451, _e1448, (_e1448 > _e1451));
-                                                                            let _e1456 = bitcast<f32>((bitcast<u32>(_e1329.z) & 2147483647u));
-                                                                            let _e1462 = bitcast<f32>((bitcast<u32>(_e1327.x) & 2147483647u));
-                                                                            let _e1465 = bitcast<f32>((bitcast<u32>(_e1327.y) & 2147483647u));
-                                                                            let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
-                                                                            let _e1470 = bitcast<f32>((bitcast<u32>(_e1327.z) & 2147483647u));
-                                                                            let _e1474 = (bitcast<f32>((bitcast<u32>(_e1372) & 2147483647u)) > ((0.0000038146973f * select(_e1456, _e1453, (_e1453 > _e1456))) * select(_e1470, _e1467, (_e1467 > _e1470))));
-                                                                            if _e1474 {
-                                                                                phi_1860_ = (_e1367 / _e1372);
+                                                                        let _e1524 = phi_1999_;
+                                                                        let _e1535 = (((_e1506 * (_e1524.x - _e328)) + (_e1511 * (_e1524.y - _e397))) + (_e1514 * (_e1524.z - _e465)));
+                                                                        let _e1540 = (((_e1506 * _e368) + (_e1511 * _e436)) + (_e1514 * _e504));
+                                                                        let _e1541 = (_e1487 - _e1491);
+                                                                        let _e1542 = (_e1485 - _e1489);
+                                                                        let _e1550 = (-(((_e1491 * _e1541) + (_e1489 * _e1542))) / ((_e1541 * _e1541) + (_e1542 * _e1542)));
+                                                                        let _e1552 = select(1f, _e1550, (_e1550 < 1f));
+                                                                        let _e1554 = select(0f, _e1552, (_e1552 > 0f));
+                                                                        let _e1567 = ((_e1493.x + (_e1499.x * _e1554)) - _e328);
+                                                                        let _e1568 = ((_e1493.y + (_e1499.y * _e1554)) - _e397);
+                                                                        let _e1569 = ((_e1493.z + (_e1499.z * _e1554)) - _e465);
+                                                                        let _e1570 = (_e1569 / _e504);
+                                                                        let _e1582 = bitcast<f32>((bitcast<u32>(_e1567) & 2147483647u));
+                                                                        let _e1585 = bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u));
+                                                                        let _e1587 = select(_e1585, _e1582, (_e1582 > _e1585));
+                                                                        let _e1590 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
+                                                                        let _e1592 = select(_e1590, _e1587, (_e1587 > _e1590));
+                                                                        let _e1598 = bitcast<f32>((bitcast<u32>(_e1506) & 2147483647u));
+                                                                        let _e1601 = bitcast<f32>((bitcast<u32>(_e1511) & 2147483647u));
+                                                                        let _e1603 = select(_e1601, _e1598, (_e1598 > _e1601));
+                                                                        let _e1606 = bitcast<f32>((bitcast<u32>(_e1514) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1506 * _e1567) + (_e1511 * _e1568)) + (_e1514 * _e1569)) - _e1535)) & 2147483647u)) <= ((0.0000009536743f * select(_e1472, _e1592, (_e1592 > _e1472))) * select(_e1606, _e1603, (_e1603 > _e1606)))) {
+                                                                            let _e1616 = bitcast<f32>((bitcast<u32>(_e1497.x) & 2147483647u));
+                                                                            let _e1619 = bitcast<f32>((bitcast<u32>(_e1497.y) & 2147483647u));
+                                                                            let _e1621 = select(_e1619, _e1616, (_e1616 > _e1619));
+                                                                            let _e1624 = bitcast<f32>((bitcast<u32>(_e1497.z) & 2147483647u));
+                                                                            let _e1630 = bitcast<f32>((bitcast<u32>(_e1495.x) & 2147483647u));
+                                                                            let _e1633 = bitcast<f32>((bitcast<u32>(_e1495.y) & 2147483647u));
+                                                                            let _e1635 = select(_e1633, _e1630, (_e1630 > _e1633));
+                                                                            let _e1638 = bitcast<f32>((bitcast<u32>(_e1495.z) & 2147483647u));
+                                                                            let _e1642 = (bitcast<f32>((bitcast<u32>(_e1540) & 2147483647u)) > ((0.0000038146973f * select(_e1624, _e1621, (_e1621 > _e1624))) * select(_e1638, _e1635, (_e1635 > _e1638))));
+                                                                            if _e1642 {
+                                                                                phi_2164_ = (_e1535 / _e1540);
                                                                             } else {
-                                                                                phi_1860_ = f32();
+                                                                                phi_2164_ = f32();
                                                                             }
-                                                                            let _e1477 = phi_1860_;
-                                                                            phi_1862_ = _e1477;
-                                                                            phi_1863_ = select(true, false, _e1474);
+                                                                            let _e1645 = phi_2164_;
+                                                                            phi_2166_ = _e1645;
+                                                                            phi_2167_ = select(true, false, _e1642);
                                                                         } else {
-                                                                            phi_1862_ = f32();
-                                                                            phi_1863_ = true;
+                                                                            phi_2166_ = f32();
+                                                                            phi_2167_ = true;
                                                                         }
-                                                                        let _e1480 = phi_1862_;
-                                                                        let _e1482 = phi_1863_;
-                                                                        if _e1482 {
-                                                                            let _e1490 = (((_e1338 * (_e1399 - (_e331 * _e1402))) + (_e1343 * (_e1400 - (_e369 * _e1402)))) / _e1372);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u)) <= _e1304) {
-                                                                                phi_1883_ = (_e1402 + _e1490);
+                                                                        let _e1648 = phi_2166_;
+                                                                        let _e1650 = phi_2167_;
+                                                                        if _e1650 {
+                                                                            let _e1658 = (((_e1506 * (_e1567 - (_e368 * _e1570))) + (_e1511 * (_e1568 - (_e436 * _e1570)))) / _e1540);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1658) & 2147483647u)) <= _e1472) {
+                                                                                phi_2187_ = (_e1570 + _e1658);
                                                                             } else {
-                                                                                phi_1883_ = _e1402;
+                                                                                phi_2187_ = _e1570;
                                                                             }
-                                                                            let _e1497 = phi_1883_;
-                                                                            phi_1884_ = _e1497;
+                                                                            let _e1665 = phi_2187_;
+                                                                            phi_2188_ = _e1665;
                                                                         } else {
-                                                                            phi_1884_ = _e1480;
+                                                                            phi_2188_ = _e1648;
                                                                         }
-                                                                        let _e1499 = phi_1884_;
-                                                                        let _e1501 = select(_e1237, _e1499, (_e1499 < _e1237));
-                                                                        let _e1503 = select(_e1229, _e1501, (_e1501 > _e1229));
-                                                                        if (_e1503 >= _e457) {
-                                                                            let _e1505 = (_e1503 <= _e988.member_1);
-                                                                            if _e1505 {
-                                                                                let _e1506 = (1f / _e1156);
-                                                                                phi_1907_ = type_25(_e1503, (_e1150 * _e1506), (_e1154 * _e1506), _e1017);
+                                                                        let _e1667 = phi_2188_;
+                                                                        let _e1669 = select(_e1405, _e1667, (_e1667 < _e1405));
+                                                                        let _e1671 = select(_e1397, _e1669, (_e1669 > _e1397));
+                                                                        if (_e1671 >= _e619) {
+                                                                            let _e1673 = (_e1671 <= _e1156.member_1);
+                                                                            if _e1673 {
+                                                                                let _e1674 = (1f / _e1324);
+                                                                                phi_2211_ = type_25(_e1671, (_e1318 * _e1674), (_e1322 * _e1674), _e1185);
                                                                             } else {
-                                                                                phi_1907_ = type_25();
+                                                                                phi_2211_ = type_25();
                                                                             }
-                                                                            let _e1511 = phi_1907_;
-                                                                            phi_1909_ = _e1511;
-                                                                            phi_1910_ = select(true, false, _e1505);
+                                                                            let _e1679 = phi_2211_;
+                                                                            phi_2213_ = _e1679;
+                                                                            phi_2214_ = select(true, false, _e1673);
                                                                         } else {
-                                                                            phi_1909_ = type_25();
-                                                                            phi_1910_ = true;
+                                                                            phi_2213_ = type_25();
+                                                                            phi_2214_ = true;
                                                                         }
-                                                                        let _e1514 = phi_1909_;
-                                                                        let _e1516 = phi_1910_;
-                                                                        if _e1516 {
-                                                                            phi_1914_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1682 = phi_2213_;
+                                                                        let _e1684 = phi_2214_;
+                                                                        if _e1684 {
+                                                                            phi_2218_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1914_ = _e1514;
+                                                                            phi_2218_ = _e1682;
                                                                         }
-                                                                        let _e1518 = phi_1914_;
-                                                                        phi_1915_ = _e1518;
+                                                                        let _e1686 = phi_2218_;
+                                                                        phi_2219_ = _e1686;
                                                                     }
-                                                                    let _e1520 = phi_1915_;
-                                                                    phi_1916_ = _e1520;
-                                                                    phi_1917_ = _e1246;
+                                                                    let _e1688 = phi_2219_;
+                                                                    phi_2220_ = _e1688;
+                                                                    phi_2221_ = _e1414;
                                                                 }
-                                                                let _e1522 = phi_1916_;
-                                                                let _e1524 = phi_1917_;
-                                                                phi_1921_ = _e1522;
-                                                                phi_1922_ = _e1524;
+                                                                let _e1690 = phi_2220_;
+                                                                let _e1692 = phi_2221_;
+                                                                phi_2225_ = _e1690;
+                                                                phi_2226_ = _e1692;
                                                             }
-                                                            let _e1526 = phi_1921_;
-                                                            let _e1528 = phi_1922_;
-                                                            phi_1923_ = _e1526;
-                                                            phi_1924_ = _e1181;
-                                                            phi_1925_ = _e1528;
+                                                            let _e1694 = phi_2225_;
+                                                            let _e1696 = phi_2226_;
+                                                            phi_2227_ = _e1694;
+                                                            phi_2228_ = _e1349;
+                                                            phi_2229_ = _e1696;
                                                         }
-                                                        let _e1530 = phi_1923_;
-                                                        let _e1532 = phi_1924_;
-                                                        let _e1534 = phi_1925_;
-                                                        phi_1926_ = _e1530;
-                                                        phi_1927_ = _e1532;
-                                                        phi_1928_ = _e1534;
+                                                        let _e1698 = phi_2227_;
+                                                        let _e1700 = phi_2228_;
+                                                        let _e1702 = phi_2229_;
+                                                        phi_2230_ = _e1698;
+                                                        phi_2231_ = _e1700;
+                                                        phi_2232_ = _e1702;
                                                     }
-                                                    let _e1536 = phi_1926_;
-                                                    let _e1538 = phi_1927_;
-                                                    let _e1540 = phi_1928_;
-                                                    phi_1936_ = _e1536;
-                                                    phi_1937_ = select(_e1540, true, _e1538);
+                                                    let _e1704 = phi_2230_;
+                                                    let _e1706 = phi_2231_;
+                                                    let _e1708 = phi_2232_;
+                                                    phi_2240_ = _e1704;
+                                                    phi_2241_ = select(_e1708, true, _e1706);
                                                 } else {
-                                                    phi_1936_ = type_25();
-                                                    phi_1937_ = true;
+                                                    phi_2240_ = type_25();
+                                                    phi_2241_ = true;
                                                 }
-                                                let _e1543 = phi_1936_;
-                                                let _e1545 = phi_1937_;
-                                                if _e1545 {
-                                                    phi_1941_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1711 = phi_2240_;
+                                                let _e1713 = phi_2241_;
+                                                if _e1713 {
+                                                    phi_2245_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1941_ = _e1543;
+                                                    phi_2245_ = _e1711;
                                                 }
-                                                let _e1547 = phi_1941_;
-                                                if (_e1547.member_3 != 4294967295u) {
-                                                    if (_e1017 != 4294967295u) {
-                                                        if (_e1547.member < _e988.member.member) {
-                                                            phi_1967_ = true;
+                                                let _e1715 = phi_2245_;
+                                                if (_e1715.member_3 != 4294967295u) {
+                                                    if (_e1185 != 4294967295u) {
+                                                        if (_e1715.member < _e1156.member.member) {
+                                                            phi_2271_ = true;
                                                         } else {
-                                                            if (_e1547.member == _e988.member.member) {
-                                                                phi_1966_ = (_e1547.member_3 < _e988.member.member_3);
+                                                            if (_e1715.member == _e1156.member.member) {
+                                                                phi_2270_ = (_e1715.member_3 < _e1156.member.member_3);
                                                             } else {
-                                                                phi_1966_ = false;
+                                                                phi_2270_ = false;
                                                             }
-                                                            let _e1560 = phi_1966_;
-                                                            phi_1967_ = _e1560;
+                                                            let _e1728 = phi_2270_;
+                                                            phi_2271_ = _e1728;
                                                         }
-                                                        let _e1562 = phi_1967_;
-                                                        if _e1562 {
-                                                            phi_1973_ = type_37(_e1547, _e1547.member);
+                                                        let _e1730 = phi_2271_;
+                                                        if _e1730 {
+                                                            phi_2277_ = type_37(_e1715, _e1715.member);
                                                         } else {
-                                                            phi_1973_ = _e988;
+                                                            phi_2277_ = _e1156;
                                                         }
-                                                        let _e1565 = phi_1973_;
-                                                        phi_1974_ = _e1565;
+                                                        let _e1733 = phi_2277_;
+                                                        phi_2278_ = _e1733;
                                                     } else {
-                                                        phi_1974_ = _e988;
+                                                        phi_2278_ = _e1156;
                                                     }
-                                                    let _e1567 = phi_1974_;
-                                                    phi_1975_ = _e1567;
+                                                    let _e1735 = phi_2278_;
+                                                    phi_2279_ = _e1735;
                                                 } else {
-                                                    phi_1975_ = _e988;
+                                                    phi_2279_ = _e1156;
                                                 }
-                                                let _e1569 = phi_1975_;
-                                                phi_966_ = _e1569;
+                                                let _e1737 = phi_2279_;
+                                                phi_1270_ = _e1737;
                                             } else {
-                                                phi_966_ = type_37();
+                                                phi_1270_ = type_37();
                                             }
-                                            let _e1571 = phi_966_;
+                                            let _e1739 = phi_1270_;
                                             continue;
                                             continuing {
-                                                phi_965_ = _e1571;
-                                                phi_968_ = _e1003;
-                                                phi_3444_ = _e499;
-                                                break if !(_e1009);
+                                                phi_1269_ = _e1739;
+                                                phi_1272_ = _e1171;
+                                                phi_3854_ = _e661;
+                                                break if !(_e1177);
                                             }
                                         }
-                                        let _e1574 = phi_3444_;
-                                        phi_3586_ = _e1574;
-                                        if _e1574 {
+                                        let _e1742 = phi_3854_;
+                                        phi_4014_ = _e1742;
+                                        if _e1742 {
                                             break;
                                         }
-                                        phi_3590_ = _e1574;
-                                        let _e1768 = local_11;
-                                        phi_3180_ = _e1768;
-                                        phi_3181_ = _e540;
-                                        phi_3182_ = false;
-                                        phi_3183_ = _e544;
+                                        phi_4018_ = _e1742;
+                                        let _e2035 = local_11;
+                                        phi_3484_ = _e2035;
+                                        phi_3485_ = _e702;
+                                        phi_3486_ = false;
+                                        phi_3487_ = _e706;
                                     } else {
-                                        if (_e540.member_1 >= _e87) {
-                                            phi_2736_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e702.member_1 >= _e94) {
+                                            phi_3040_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e540.member_1 < _e87) {
+                                            if (_e702.member_1 < _e94) {
                                             } else {
-                                                phi_3586_ = true;
+                                                phi_4014_ = true;
                                                 break;
                                             }
-                                            let _e556 = ((1u + _e257) % 4u);
-                                            if (_e556 < 4u) {
+                                            let _e718 = ((1u + _e264) % 4u);
+                                            if (_e718 < 4u) {
                                             } else {
-                                                phi_3586_ = true;
+                                                phi_4014_ = true;
                                                 break;
                                             }
-                                            let _e561 = global_4.member[_e540.member_1][_e556];
-                                            let _e563 = (_e561 >> bitcast<u32>(11u));
-                                            let _e565 = ((1u + _e256) % 4u);
-                                            if (_e565 < 4u) {
+                                            let _e723 = global_4.member[_e702.member_1][_e718];
+                                            let _e725 = (_e723 >> bitcast<u32>(11u));
+                                            let _e727 = ((1u + _e263) % 4u);
+                                            if (_e727 < 4u) {
                                             } else {
-                                                phi_3586_ = true;
+                                                phi_4014_ = true;
                                                 break;
                                             }
-                                            let _e570 = global_4.member[_e540.member_1][_e565];
-                                            let _e572 = (_e570 >> bitcast<u32>(11u));
-                                            let _e574 = ((1u + _e258) % 4u);
-                                            if (_e574 < 4u) {
+                                            let _e732 = global_4.member[_e702.member_1][_e727];
+                                            let _e734 = (_e732 >> bitcast<u32>(11u));
+                                            let _e736 = ((1u + _e265) % 4u);
+                                            if (_e736 < 4u) {
                                             } else {
-                                                phi_3586_ = true;
+                                                phi_4014_ = true;
                                                 break;
                                             }
-                                            let _e579 = global_4.member[_e540.member_1][_e574];
-                                            let _e581 = (_e579 >> bitcast<u32>(11u));
-                                            let _e604 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.x - _e540.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e605 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.y - _e540.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e606 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.z - _e540.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e608 = select(_e137, _e604, (_e604 > _e137));
-                                            let _e610 = select(_e137, _e605, (_e605 > _e137));
-                                            let _e612 = select(_e137, _e606, (_e606 > _e137));
-                                            let _e637 = bitcast<u32>((f32(bitcast<i32>((_e561 & 1023u))) * _e608));
-                                            let _e642 = (bitcast<i32>((_e561 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e645 = bitcast<f32>((_e637 & bitcast<u32>(_e642)));
-                                            let _e646 = bitcast<u32>((f32(bitcast<i32>((_e570 & 1023u))) * _e610));
-                                            let _e651 = (bitcast<i32>((_e570 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e654 = bitcast<f32>((_e646 & bitcast<u32>(_e651)));
-                                            let _e655 = bitcast<u32>((f32(bitcast<i32>((_e579 & 1023u))) * _e612));
-                                            let _e660 = (bitcast<i32>((_e579 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e663 = bitcast<f32>((_e655 & bitcast<u32>(_e660)));
-                                            let _e667 = bitcast<f32>((_e637 & bitcast<u32>(~(_e642))));
-                                            let _e671 = bitcast<f32>((_e646 & bitcast<u32>(~(_e651))));
-                                            let _e675 = bitcast<f32>((_e655 & bitcast<u32>(~(_e660))));
-                                            let _e676 = bitcast<u32>((f32(bitcast<i32>((_e563 & 1023u))) * _e608));
-                                            let _e681 = (bitcast<i32>((_e563 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e684 = bitcast<f32>((_e676 & bitcast<u32>(_e681)));
-                                            let _e685 = bitcast<u32>((f32(bitcast<i32>((_e572 & 1023u))) * _e610));
-                                            let _e690 = (bitcast<i32>((_e572 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e693 = bitcast<f32>((_e685 & bitcast<u32>(_e690)));
-                                            let _e694 = bitcast<u32>((f32(bitcast<i32>((_e581 & 1023u))) * _e612));
-                                            let _e699 = (bitcast<i32>((_e581 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e702 = bitcast<f32>((_e694 & bitcast<u32>(_e699)));
-                                            let _e706 = bitcast<f32>((_e676 & bitcast<u32>(~(_e681))));
-                                            let _e710 = bitcast<f32>((_e685 & bitcast<u32>(~(_e690))));
-                                            let _e714 = bitcast<f32>((_e694 & bitcast<u32>(~(_e699))));
-                                            let _e744 = global_4.member[_e540.member_1][0u];
-                                            let _e748 = global_4.member[_e540.member_1][1u];
-                                            let _e752 = global_4.member[_e540.member_1][2u];
-                                            let _e756 = global_4.member[_e540.member_1][3u];
-                                            let _e768 = (((_e748 >> bitcast<u32>(22i)) | ((_e752 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e756 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e769 = (_e744 & 268435455u);
-                                            let _e770 = (_e768 & 268435455u);
-                                            let _e773 = ((_e744 >> bitcast<u32>(28u)) & 7u);
-                                            let _e781 = ((_e744 >> bitcast<u32>(31i)) | (((_e768 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e782 = (_e773 != 0u);
-                                            if (_e773 == 0u) {
-                                                phi_2698_ = _e769;
+                                            let _e741 = global_4.member[_e702.member_1][_e736];
+                                            let _e743 = (_e741 >> bitcast<u32>(11u));
+                                            let _e766 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.x - _e702.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e767 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.y - _e702.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e768 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.z - _e702.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e770 = select(_e144, _e766, (_e766 > _e144));
+                                            let _e772 = select(_e144, _e767, (_e767 > _e144));
+                                            let _e774 = select(_e144, _e768, (_e768 > _e144));
+                                            let _e805 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e723 & 1023u))) - 8388608f) * _e770));
+                                            let _e810 = (bitcast<i32>((_e723 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e813 = bitcast<f32>((_e805 & bitcast<u32>(_e810)));
+                                            let _e814 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e732 & 1023u))) - 8388608f) * _e772));
+                                            let _e819 = (bitcast<i32>((_e732 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e822 = bitcast<f32>((_e814 & bitcast<u32>(_e819)));
+                                            let _e823 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e741 & 1023u))) - 8388608f) * _e774));
+                                            let _e828 = (bitcast<i32>((_e741 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e831 = bitcast<f32>((_e823 & bitcast<u32>(_e828)));
+                                            let _e835 = bitcast<f32>((_e805 & bitcast<u32>(~(_e810))));
+                                            let _e839 = bitcast<f32>((_e814 & bitcast<u32>(~(_e819))));
+                                            let _e843 = bitcast<f32>((_e823 & bitcast<u32>(~(_e828))));
+                                            let _e844 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 1023u))) - 8388608f) * _e770));
+                                            let _e849 = (bitcast<i32>((_e725 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e852 = bitcast<f32>((_e844 & bitcast<u32>(_e849)));
+                                            let _e853 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e734 & 1023u))) - 8388608f) * _e772));
+                                            let _e858 = (bitcast<i32>((_e734 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e861 = bitcast<f32>((_e853 & bitcast<u32>(_e858)));
+                                            let _e862 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e743 & 1023u))) - 8388608f) * _e774));
+                                            let _e867 = (bitcast<i32>((_e743 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e870 = bitcast<f32>((_e862 & bitcast<u32>(_e867)));
+                                            let _e874 = bitcast<f32>((_e844 & bitcast<u32>(~(_e849))));
+                                            let _e878 = bitcast<f32>((_e853 & bitcast<u32>(~(_e858))));
+                                            let _e882 = bitcast<f32>((_e862 & bitcast<u32>(~(_e867))));
+                                            let _e912 = global_4.member[_e702.member_1][0u];
+                                            let _e916 = global_4.member[_e702.member_1][1u];
+                                            let _e920 = global_4.member[_e702.member_1][2u];
+                                            let _e924 = global_4.member[_e702.member_1][3u];
+                                            let _e936 = (((_e916 >> bitcast<u32>(22i)) | ((_e920 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e924 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e937 = (_e912 & 268435455u);
+                                            let _e938 = (_e936 & 268435455u);
+                                            let _e941 = ((_e912 >> bitcast<u32>(28u)) & 7u);
+                                            let _e949 = ((_e912 >> bitcast<u32>(31i)) | (((_e936 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e950 = (_e941 != 0u);
+                                            if (_e941 == 0u) {
+                                                phi_3002_ = _e937;
                                             } else {
-                                                if (_e773 == 7u) {
-                                                    phi_2697_ = 2147483648u;
+                                                if (_e941 == 7u) {
+                                                    phi_3001_ = 2147483648u;
                                                 } else {
-                                                    phi_2697_ = ((2147483648u | (_e773 << bitcast<u32>(28u))) | (_e770 & 268435455u));
+                                                    phi_3001_ = ((2147483648u | (_e941 << bitcast<u32>(28u))) | (_e938 & 268435455u));
                                                 }
-                                                let _e791 = phi_2697_;
-                                                phi_2698_ = _e791;
+                                                let _e959 = phi_3001_;
+                                                phi_3002_ = _e959;
                                             }
-                                            let _e793 = phi_2698_;
-                                            if _e782 {
-                                                let _e794 = (_e773 != 7u);
-                                                if _e794 {
-                                                    phi_2708_ = (_e770 + _e773);
+                                            let _e961 = phi_3002_;
+                                            if _e950 {
+                                                let _e962 = (_e941 != 7u);
+                                                if _e962 {
+                                                    phi_3012_ = (_e938 + _e941);
                                                 } else {
-                                                    phi_2708_ = u32();
+                                                    phi_3012_ = u32();
                                                 }
-                                                let _e797 = phi_2708_;
-                                                phi_2710_ = _e797;
-                                                phi_2711_ = select(true, false, _e794);
+                                                let _e965 = phi_3012_;
+                                                phi_3014_ = _e965;
+                                                phi_3015_ = select(true, false, _e962);
                                             } else {
-                                                phi_2710_ = u32();
-                                                phi_2711_ = true;
+                                                phi_3014_ = u32();
+                                                phi_3015_ = true;
                                             }
-                                            let _e800 = phi_2710_;
-                                            let _e802 = phi_2711_;
-                                            if (_e781 == 0u) {
-                                                phi_2732_ = (_e769 + select(0u, 1u, !(_e782)));
+                                            let _e968 = phi_3014_;
+                                            let _e970 = phi_3015_;
+                                            if (_e949 == 0u) {
+                                                phi_3036_ = (_e937 + select(0u, 1u, !(_e950)));
                                             } else {
-                                                if (_e781 == 7u) {
-                                                    phi_2731_ = 2147483648u;
+                                                if (_e949 == 7u) {
+                                                    phi_3035_ = 2147483648u;
                                                 } else {
-                                                    phi_2731_ = ((2147483648u | (_e781 << bitcast<u32>(28u))) | (select(_e800, _e770, _e802) & 268435455u));
+                                                    phi_3035_ = ((2147483648u | (_e949 << bitcast<u32>(28u))) | (select(_e968, _e938, _e970) & 268435455u));
                                                 }
-                                                let _e815 = phi_2731_;
-                                                phi_2732_ = _e815;
+                                                let _e983 = phi_3035_;
+                                                phi_3036_ = _e983;
                                             }
-                                            let _e817 = phi_2732_;
-                                            phi_2736_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e540.member.member.x + _e645), (_e540.member.member.x + _e667), (_e540.member.member_1.x - _e684), (_e540.member.member_1.x - _e706)), vec4<f32>((_e540.member.member.y + _e654), (_e540.member.member.y + _e671), (_e540.member.member_1.y - _e693), (_e540.member.member_1.y - _e710)), vec4<f32>((_e540.member.member.z + _e663), (_e540.member.member.z + _e675), (_e540.member.member_1.z - _e702), (_e540.member.member_1.z - _e714))), type_50(type_33((_e540.member.member + vec4<f32>(_e645, _e654, _e663, 0f)), (_e540.member.member_1 - vec4<f32>(_e684, _e693, _e702, 0f))), _e793), type_50(type_33((_e540.member.member + vec4<f32>(_e667, _e671, _e675, 0f)), (_e540.member.member_1 - vec4<f32>(_e706, _e710, _e714, 0f))), _e817));
+                                            let _e985 = phi_3036_;
+                                            phi_3040_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e702.member.member.x + _e813), (_e702.member.member.x + _e835), (_e702.member.member_1.x - _e852), (_e702.member.member_1.x - _e874)), vec4<f32>((_e702.member.member.y + _e822), (_e702.member.member.y + _e839), (_e702.member.member_1.y - _e861), (_e702.member.member_1.y - _e878)), vec4<f32>((_e702.member.member.z + _e831), (_e702.member.member.z + _e843), (_e702.member.member_1.z - _e870), (_e702.member.member_1.z - _e882))), type_50(type_33((_e702.member.member + vec4<f32>(_e813, _e822, _e831, 0f)), (_e702.member.member_1 - vec4<f32>(_e852, _e861, _e870, 0f))), _e961), type_50(type_33((_e702.member.member + vec4<f32>(_e835, _e839, _e843, 0f)), (_e702.member.member_1 - vec4<f32>(_e874, _e878, _e882, 0f))), _e985));
                                         }
-                                        let _e822 = phi_2736_;
-                                        let _e834 = ((_e822.member[0].x - _e329) * _e334);
-                                        let _e835 = ((_e822.member[0].y - _e329) * _e334);
-                                        let _e836 = ((_e822.member[0].z - _e330) * _e334);
-                                        let _e837 = ((_e822.member[0].w - _e330) * _e334);
-                                        let _e847 = ((_e822.member[1].x - _e367) * _e372);
-                                        let _e848 = ((_e822.member[1].y - _e367) * _e372);
-                                        let _e849 = ((_e822.member[1].z - _e368) * _e372);
-                                        let _e850 = ((_e822.member[1].w - _e368) * _e372);
-                                        let _e860 = ((_e822.member[2].x - _e405) * _e410);
-                                        let _e861 = ((_e822.member[2].y - _e405) * _e410);
-                                        let _e862 = ((_e822.member[2].z - _e406) * _e410);
-                                        let _e863 = ((_e822.member[2].w - _e406) * _e410);
-                                        let _e865 = select(_e862, _e860, (_e860 < _e862));
-                                        let _e867 = select(_e863, _e861, (_e861 < _e863));
-                                        let _e869 = select(_e862, _e860, (_e860 > _e862));
-                                        let _e871 = select(_e863, _e861, (_e861 > _e863));
-                                        let _e873 = select(_e836, _e834, (_e834 < _e836));
-                                        let _e875 = select(_e837, _e835, (_e835 < _e837));
-                                        let _e877 = select(_e849, _e847, (_e847 < _e849));
-                                        let _e879 = select(_e850, _e848, (_e848 < _e850));
-                                        let _e881 = select(_e877, _e873, (_e873 > _e877));
-                                        let _e883 = select(_e879, _e875, (_e875 > _e879));
-                                        let _e885 = select(_e865, _e881, (_e881 > _e865));
-                                        let _e887 = select(_e867, _e883, (_e883 > _e867));
-                                        let _e889 = select(_e836, _e834, (_e834 > _e836));
-                                        let _e891 = select(_e837, _e835, (_e835 > _e837));
-                                        let _e893 = select(_e849, _e847, (_e847 > _e849));
-                                        let _e895 = select(_e850, _e848, (_e848 > _e850));
-                                        let _e897 = select(_e893, _e889, (_e889 < _e893));
-                                        let _e899 = select(_e895, _e891, (_e891 < _e895));
-                                        let _e904 = -(_e865);
-                                        let _e905 = -(_e867);
-                                        let _e912 = (select(_e869, _e897, (_e897 < _e869)) + (select(_e904, _e869, (_e869 > _e904)) * 0.0000019073523f));
-                                        let _e913 = (select(_e871, _e899, (_e899 < _e871)) + (select(_e905, _e871, (_e871 > _e905)) * 0.0000019073523f));
-                                        let _e915 = select(_e457, _e885, (_e885 > _e457));
-                                        let _e917 = select(_e457, _e887, (_e887 > _e457));
-                                        let _e922 = (_e915 <= select(_e501.member_1, _e912, (_e912 < _e501.member_1)));
-                                        let _e923 = (_e917 <= select(_e501.member_1, _e913, (_e913 < _e501.member_1)));
-                                        let _e924 = (_e915 <= _e917);
-                                        if _e922 {
-                                            if _e923 {
-                                                if _e924 {
-                                                    phi_3080_ = _e822.member_2;
+                                        let _e990 = phi_3040_;
+                                        let _e1002 = ((_e990.member[0].x - _e366) * _e371);
+                                        let _e1003 = ((_e990.member[0].y - _e366) * _e371);
+                                        let _e1004 = ((_e990.member[0].z - _e367) * _e371);
+                                        let _e1005 = ((_e990.member[0].w - _e367) * _e371);
+                                        let _e1015 = ((_e990.member[1].x - _e434) * _e439);
+                                        let _e1016 = ((_e990.member[1].y - _e434) * _e439);
+                                        let _e1017 = ((_e990.member[1].z - _e435) * _e439);
+                                        let _e1018 = ((_e990.member[1].w - _e435) * _e439);
+                                        let _e1028 = ((_e990.member[2].x - _e502) * _e507);
+                                        let _e1029 = ((_e990.member[2].y - _e502) * _e507);
+                                        let _e1030 = ((_e990.member[2].z - _e503) * _e507);
+                                        let _e1031 = ((_e990.member[2].w - _e503) * _e507);
+                                        let _e1033 = select(_e1030, _e1028, (_e1028 < _e1030));
+                                        let _e1035 = select(_e1031, _e1029, (_e1029 < _e1031));
+                                        let _e1037 = select(_e1030, _e1028, (_e1028 > _e1030));
+                                        let _e1039 = select(_e1031, _e1029, (_e1029 > _e1031));
+                                        let _e1041 = select(_e1004, _e1002, (_e1002 < _e1004));
+                                        let _e1043 = select(_e1005, _e1003, (_e1003 < _e1005));
+                                        let _e1045 = select(_e1017, _e1015, (_e1015 < _e1017));
+                                        let _e1047 = select(_e1018, _e1016, (_e1016 < _e1018));
+                                        let _e1049 = select(_e1045, _e1041, (_e1041 > _e1045));
+                                        let _e1051 = select(_e1047, _e1043, (_e1043 > _e1047));
+                                        let _e1053 = select(_e1033, _e1049, (_e1049 > _e1033));
+                                        let _e1055 = select(_e1035, _e1051, (_e1051 > _e1035));
+                                        let _e1057 = select(_e1004, _e1002, (_e1002 > _e1004));
+                                        let _e1059 = select(_e1005, _e1003, (_e1003 > _e1005));
+                                        let _e1061 = select(_e1017, _e1015, (_e1015 > _e1017));
+                                        let _e1063 = select(_e1018, _e1016, (_e1016 > _e1018));
+                                        let _e1065 = select(_e1061, _e1057, (_e1057 < _e1061));
+                                        let _e1067 = select(_e1063, _e1059, (_e1059 < _e1063));
+                                        let _e1072 = -(_e1033);
+                                        let _e1073 = -(_e1035);
+                                        let _e1080 = (select(_e1037, _e1065, (_e1065 < _e1037)) + (select(_e1072, _e1037, (_e1037 > _e1072)) * 0.0000019073523f));
+                                        let _e1081 = (select(_e1039, _e1067, (_e1067 < _e1039)) + (select(_e1073, _e1039, (_e1039 > _e1073)) * 0.0000019073523f));
+                                        let _e1083 = select(_e619, _e1053, (_e1053 > _e619));
+                                        let _e1085 = select(_e619, _e1055, (_e1055 > _e619));
+                                        let _e1090 = (_e1083 <= select(_e663.member_1, _e1080, (_e1080 < _e663.member_1)));
+                                        let _e1091 = (_e1085 <= select(_e663.member_1, _e1081, (_e1081 < _e663.member_1)));
+                                        let _e1092 = (_e1083 <= _e1085);
+                                        if _e1090 {
+                                            if _e1091 {
+                                                if _e1092 {
+                                                    phi_3384_ = _e990.member_2;
                                                 } else {
-                                                    phi_3080_ = _e822.member_1;
+                                                    phi_3384_ = _e990.member_1;
                                                 }
-                                                let _e928 = phi_3080_;
-                                                let _e950 = (_e544 % 128u);
-                                                let _e951 = (_e950 < 128u);
-                                                if _e951 {
+                                                let _e1096 = phi_3384_;
+                                                let _e1118 = (_e706 % 128u);
+                                                let _e1119 = (_e1118 < 128u);
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_8[_e950] = _e928.member_1;
-                                                if _e951 {
+                                                local_8[_e1118] = _e1096.member_1;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_7[_e950] = _e928.member.member.x;
-                                                if _e951 {
+                                                local_7[_e1118] = _e1096.member.member.x;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_6[_e950] = _e928.member.member.y;
-                                                if _e951 {
+                                                local_6[_e1118] = _e1096.member.member.y;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_5[_e950] = _e928.member.member.z;
-                                                if _e951 {
+                                                local_5[_e1118] = _e1096.member.member.z;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_4[_e950] = _e928.member.member_1.x;
-                                                if _e951 {
+                                                local_4[_e1118] = _e1096.member.member_1.x;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_3[_e950] = _e928.member.member_1.y;
-                                                if _e951 {
+                                                local_3[_e1118] = _e1096.member.member_1.y;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_2[_e950] = _e928.member.member_1.z;
-                                                if _e951 {
+                                                local_2[_e1118] = _e1096.member.member_1.z;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_9[_e950] = select(_e917, _e915, (_e915 > _e917));
-                                                if _e924 {
-                                                    phi_3157_ = _e822.member_1;
+                                                local_9[_e1118] = select(_e1085, _e1083, (_e1083 > _e1085));
+                                                if _e1092 {
+                                                    phi_3461_ = _e990.member_1;
                                                 } else {
-                                                    phi_3157_ = _e822.member_2;
+                                                    phi_3461_ = _e990.member_2;
                                                 }
-                                                let _e964 = phi_3157_;
-                                                phi_3158_ = _e964;
-                                                phi_3159_ = (_e544 + 1u);
+                                                let _e1132 = phi_3461_;
+                                                phi_3462_ = _e1132;
+                                                phi_3463_ = (_e706 + 1u);
                                             } else {
-                                                phi_3158_ = type_50();
-                                                phi_3159_ = u32();
+                                                phi_3462_ = type_50();
+                                                phi_3463_ = u32();
                                             }
-                                            let _e966 = phi_3158_;
-                                            let _e968 = phi_3159_;
-                                            phi_3161_ = _e966;
-                                            phi_3162_ = _e968;
-                                            phi_3163_ = select(true, false, _e923);
+                                            let _e1134 = phi_3462_;
+                                            let _e1136 = phi_3463_;
+                                            phi_3465_ = _e1134;
+                                            phi_3466_ = _e1136;
+                                            phi_3467_ = select(true, false, _e1091);
                                         } else {
-                                            phi_3161_ = type_50();
-                                            phi_3162_ = u32();
-                                            phi_3163_ = true;
+                                            phi_3465_ = type_50();
+                                            phi_3466_ = u32();
+                                            phi_3467_ = true;
                                         }
-                                        let _e971 = phi_3161_;
-                                        let _e973 = phi_3162_;
-                                        let _e975 = phi_3163_;
-                                        if _e975 {
-                                            if _e922 {
-                                                phi_3172_ = _e822.member_1;
+                                        let _e1139 = phi_3465_;
+                                        let _e1141 = phi_3466_;
+                                        let _e1143 = phi_3467_;
+                                        if _e1143 {
+                                            if _e1090 {
+                                                phi_3476_ = _e990.member_1;
                                             } else {
-                                                phi_3172_ = _e822.member_2;
+                                                phi_3476_ = _e990.member_2;
                                             }
-                                            let _e979 = phi_3172_;
-                                            phi_3177_ = _e979;
-                                            phi_3178_ = select(_e923, true, _e922);
+                                            let _e1147 = phi_3476_;
+                                            phi_3481_ = _e1147;
+                                            phi_3482_ = select(_e1091, true, _e1090);
                                         } else {
-                                            phi_3177_ = _e971;
-                                            phi_3178_ = _e542;
+                                            phi_3481_ = _e1139;
+                                            phi_3482_ = _e704;
                                         }
-                                        let _e982 = phi_3177_;
-                                        let _e984 = phi_3178_;
-                                        phi_3590_ = _e499;
-                                        phi_3180_ = _e501;
-                                        phi_3181_ = _e982;
-                                        phi_3182_ = _e984;
-                                        phi_3183_ = select(_e973, _e544, _e975);
+                                        let _e1150 = phi_3481_;
+                                        let _e1152 = phi_3482_;
+                                        phi_4018_ = _e661;
+                                        phi_3484_ = _e663;
+                                        phi_3485_ = _e1150;
+                                        phi_3486_ = _e1152;
+                                        phi_3487_ = select(_e1141, _e706, _e1143);
                                     }
-                                    let _e1576 = phi_3590_;
-                                    let _e1578 = phi_3180_;
-                                    let _e1580 = phi_3181_;
-                                    let _e1582 = phi_3182_;
-                                    let _e1584 = phi_3183_;
-                                    phi_3589_ = _e1576;
-                                    phi_3184_ = _e1578;
-                                    phi_3185_ = _e1580;
-                                    phi_3186_ = (_e505 - 1u);
-                                    phi_3187_ = _e1582;
-                                    phi_3188_ = _e1584;
+                                    let _e1744 = phi_4018_;
+                                    let _e1746 = phi_3484_;
+                                    let _e1748 = phi_3485_;
+                                    let _e1750 = phi_3486_;
+                                    let _e1752 = phi_3487_;
+                                    phi_4017_ = _e1744;
+                                    phi_3488_ = _e1746;
+                                    phi_3489_ = _e1748;
+                                    phi_3490_ = (_e667 - 1u);
+                                    phi_3491_ = _e1750;
+                                    phi_3492_ = _e1752;
                                 } else {
-                                    phi_3589_ = _e499;
-                                    phi_3184_ = _e501;
-                                    phi_3185_ = _e540;
-                                    phi_3186_ = _e505;
-                                    phi_3187_ = _e542;
-                                    phi_3188_ = _e544;
+                                    phi_4017_ = _e661;
+                                    phi_3488_ = _e663;
+                                    phi_3489_ = _e702;
+                                    phi_3490_ = _e667;
+                                    phi_3491_ = _e704;
+                                    phi_3492_ = _e706;
                                 }
-                                let _e1586 = phi_3589_;
-                                let _e1588 = phi_3184_;
-                                let _e1590 = phi_3185_;
-                                let _e1592 = phi_3186_;
-                                let _e1594 = phi_3187_;
-                                let _e1596 = phi_3188_;
-                                phi_3588_ = _e1586;
-                                phi_3189_ = _e1588;
-                                phi_3190_ = _e1590;
-                                phi_3191_ = _e1592;
-                                phi_3192_ = _e1594;
-                                phi_3193_ = _e1596;
+                                let _e1754 = phi_4017_;
+                                let _e1756 = phi_3488_;
+                                let _e1758 = phi_3489_;
+                                let _e1760 = phi_3490_;
+                                let _e1762 = phi_3491_;
+                                let _e1764 = phi_3492_;
+                                phi_4016_ = _e1754;
+                                phi_3493_ = _e1756;
+                                phi_3494_ = _e1758;
+                                phi_3495_ = _e1760;
+                                phi_3496_ = _e1762;
+                                phi_3497_ = _e1764;
                             } else {
-                                phi_3588_ = _e499;
-                                phi_3189_ = type_37();
-                                phi_3190_ = type_50();
-                                phi_3191_ = u32();
-                                phi_3192_ = bool();
-                                phi_3193_ = u32();
+                                phi_4016_ = _e661;
+                                phi_3493_ = type_37();
+                                phi_3494_ = type_50();
+                                phi_3495_ = u32();
+                                phi_3496_ = bool();
+                                phi_3497_ = u32();
                             }
-                            let _e1598 = phi_3588_;
-                            let _e1600 = phi_3189_;
-                            let _e1602 = phi_3190_;
-                            let _e1604 = phi_3191_;
-                            let _e1606 = phi_3192_;
-                            let _e1608 = phi_3193_;
-                            phi_3587_ = _e1598;
-                            phi_840_ = _e1600;
-                            phi_843_ = _e1602;
-                            phi_845_ = _e1604;
-                            phi_847_ = _e1606;
-                            phi_849_ = _e1608;
-                            phi_3194_ = _e513;
+                            let _e1766 = phi_4016_;
+                            let _e1768 = phi_3493_;
+                            let _e1770 = phi_3494_;
+                            let _e1772 = phi_3495_;
+                            let _e1774 = phi_3496_;
+                            let _e1776 = phi_3497_;
+                            phi_4015_ = _e1766;
+                            phi_1144_ = _e1768;
+                            phi_1147_ = _e1770;
+                            phi_1149_ = _e1772;
+                            phi_1151_ = _e1774;
+                            phi_1153_ = _e1776;
+                            phi_3498_ = _e675;
                         } else {
-                            phi_3587_ = _e499;
-                            phi_840_ = type_37();
-                            phi_843_ = type_50();
-                            phi_845_ = u32();
-                            phi_847_ = bool();
-                            phi_849_ = u32();
-                            phi_3194_ = false;
+                            phi_4015_ = _e661;
+                            phi_1144_ = type_37();
+                            phi_1147_ = type_50();
+                            phi_1149_ = u32();
+                            phi_1151_ = bool();
+                            phi_1153_ = u32();
+                            phi_3498_ = false;
                         }
-                        let _e1610 = phi_3587_;
-                        let _e1612 = phi_840_;
-                        let _e1614 = phi_843_;
-                        let _e1616 = phi_845_;
-                        let _e1618 = phi_847_;
-                        let _e1620 = phi_849_;
-                        let _e1622 = phi_3194_;
+                        let _e1778 = phi_4015_;
+                        let _e1780 = phi_1144_;
+                        let _e1782 = phi_1147_;
+                        let _e1784 = phi_1149_;
+                        let _e1786 = phi_1151_;
+                        let _e1788 = phi_1153_;
+                        let _e1790 = phi_3498_;
                         continue;
                         continuing {
-                            phi_3450_ = _e1610;
-                            phi_839_ = _e1612;
-                            phi_842_ = _e1614;
-                            phi_844_ = _e1616;
-                            phi_846_ = _e1618;
-                            phi_848_ = _e1620;
-                            phi_3586_ = _e1610;
-                            break if !(_e1622);
+                            phi_3860_ = _e1778;
+                            phi_1143_ = _e1780;
+                            phi_1146_ = _e1782;
+                            phi_1148_ = _e1784;
+                            phi_1150_ = _e1786;
+                            phi_1152_ = _e1788;
+                            phi_4014_ = _e1778;
+                            break if !(_e1790);
                         }
                     }
-                    let _e1625 = phi_3586_;
-                    if _e1625 {
+                    let _e1793 = phi_4014_;
+                    if _e1793 {
                         break;
                     }
-                    let _e1627 = local_10;
-                    if (_e1627.member.member_3 != 4294967295u) {
-                        let _e1632 = -(_e424);
-                        let _e1633 = (_e1632 / 3i);
-                        let _e1640 = bitcast<f32>((bitcast<u32>((_e1633 + 127i)) << bitcast<u32>(23i)));
-                        let _e1648 = (((_e1627.member.member * _e1640) * _e1640) * bitcast<f32>((bitcast<u32>(((_e1632 - (2i * _e1633)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1650 = select(340282350000000000000000000000000000000f, _e1648, (_e1648 < 340282350000000000000000000000000000000f));
-                        phi_3246_ = type_25(select(-340282350000000000000000000000000000000f, _e1650, (_e1650 > -340282350000000000000000000000000000000f)), _e1627.member.member_1, _e1627.member.member_2, _e1627.member.member_3);
+                    let _e1795 = local_10;
+                    if (_e1795.member.member_3 != 4294967295u) {
+                        let _e1800 = -(_e521);
+                        let _e1801 = bitcast<u32>(_e1795.member.member);
+                        let _e1805 = (bitcast<i32>((_e1801 >> bitcast<u32>(23i))) & 255i);
+                        let _e1806 = (_e1805 + _e1800);
+                        if (_e1805 == 255i) {
+                            phi_3557_ = _e1795.member.member;
+                        } else {
+                            if (_e1805 > 0i) {
+                                if (_e1806 > 0i) {
+                                    let _e1810 = (_e1806 < 255i);
+                                    if _e1810 {
+                                        phi_3536_ = bitcast<f32>((_e1801 + bitcast<u32>((_e1800 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_3536_ = f32();
+                                    }
+                                    let _e1817 = phi_3536_;
+                                    phi_3538_ = _e1817;
+                                    phi_3539_ = select(true, false, _e1810);
+                                } else {
+                                    phi_3538_ = f32();
+                                    phi_3539_ = true;
+                                }
+                                let _e1820 = phi_3538_;
+                                let _e1822 = phi_3539_;
+                                phi_3540_ = _e1820;
+                                phi_3541_ = _e1822;
+                            } else {
+                                phi_3540_ = f32();
+                                phi_3541_ = true;
+                            }
+                            let _e1824 = phi_3540_;
+                            let _e1826 = phi_3541_;
+                            if _e1826 {
+                                let _e1827 = (_e1801 & 2147483648u);
+                                let _e1834 = ((_e1801 & 8388607u) | (select(0u, 1u, ((_e1801 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1838 = (_e1834 == 0u);
+                                if _e1838 {
+                                    phi_3812_ = bitcast<f32>(_e1827);
+                                } else {
+                                    let _e1843 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1834)), 32u, _e1838) - 8u);
+                                    let _e1846 = (_e1834 << bitcast<u32>((_e1843 & 31u)));
+                                    let _e1848 = ((_e1806 + select(0i, 1i, (_e1805 == 0i))) - bitcast<i32>(_e1843));
+                                    if (_e1848 >= 255i) {
+                                        phi_3802_ = bitcast<f32>((_e1827 | 2139095040u));
+                                        phi_3803_ = f32();
+                                        phi_3804_ = true;
+                                    } else {
+                                        let _e1850 = (_e1848 > 0i);
+                                        if _e1850 {
+                                            phi_3796_ = bitcast<f32>(((_e1827 | (bitcast<u32>(_e1848) << bitcast<u32>(23i))) | (_e1846 & 8388607u)));
+                                            phi_3797_ = f32();
+                                        } else {
+                                            if (_e1848 < -24i) {
+                                                phi_3762_ = 26u;
+                                            } else {
+                                                phi_3762_ = bitcast<u32>((1i - _e1848));
+                                            }
+                                            let _e1855 = phi_3762_;
+                                            let _e1856 = (_e1855 & 31u);
+                                            let _e1858 = (_e1846 >> bitcast<u32>(_e1856));
+                                            let _e1862 = (_e1846 & ((1u << bitcast<u32>(_e1856)) - 1u));
+                                            let _e1866 = (1u << bitcast<u32>(((_e1855 - 1u) & 31u)));
+                                            if (_e1862 > _e1866) {
+                                                phi_3783_ = true;
+                                            } else {
+                                                if (_e1862 == _e1866) {
+                                                    phi_3780_ = ((_e1858 & 1u) == 1u);
+                                                } else {
+                                                    phi_3780_ = false;
+                                                }
+                                                let _e1872 = phi_3780_;
+                                                phi_3783_ = _e1872;
+                                            }
+                                            let _e1874 = phi_3783_;
+                                            phi_3796_ = f32();
+                                            phi_3797_ = bitcast<f32>((_e1827 | (_e1858 + select(0u, 1u, _e1874))));
+                                        }
+                                        let _e1887 = phi_3796_;
+                                        let _e1889 = phi_3797_;
+                                        phi_3802_ = _e1887;
+                                        phi_3803_ = _e1889;
+                                        phi_3804_ = _e1850;
+                                    }
+                                    let _e1893 = phi_3802_;
+                                    let _e1895 = phi_3803_;
+                                    let _e1897 = phi_3804_;
+                                    phi_3812_ = select(_e1895, _e1893, _e1897);
+                                }
+                                let _e1901 = phi_3812_;
+                                phi_3556_ = _e1901;
+                            } else {
+                                phi_3556_ = _e1824;
+                            }
+                            let _e1903 = phi_3556_;
+                            phi_3557_ = _e1903;
+                        }
+                        let _e1905 = phi_3557_;
+                        let _e1906 = bitcast<u32>(_e1905);
+                        if ((_e1906 & 2147483647u) >= 2139095040u) {
+                            phi_3569_ = bitcast<f32>(((_e1906 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_3569_ = _e1905;
+                        }
+                        let _e1913 = phi_3569_;
+                        phi_3574_ = type_25(_e1913, _e1795.member.member_1, _e1795.member.member_2, _e1795.member.member_3);
                     } else {
-                        phi_3246_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3574_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1657 = phi_3246_;
-                    if _e145 {
+                    let _e1918 = phi_3574_;
+                    if _e152 {
                     } else {
                         break;
                     }
-                    global_6.member[_e143] = _e1657;
+                    global_6.member[_e150] = _e1918;
                 }
             }
             break;

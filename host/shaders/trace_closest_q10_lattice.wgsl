@@ -87,438 +87,515 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_394_: i32;
-    var phi_395_: i32;
-    var phi_405_: bool;
-    var phi_415_: u32;
-    var phi_416_: u32;
-    var phi_418_: bool;
-    var phi_423_: u32;
-    var phi_435_: i32;
-    var phi_455_: i32;
-    var phi_473_: f32;
-    var phi_479_: f32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_519_: f32;
-    var phi_530_: f32;
-    var phi_539_: f32;
-    var phi_545_: f32;
+    var phi_477_: i32;
+    var phi_478_: i32;
+    var phi_488_: bool;
+    var phi_498_: u32;
+    var phi_499_: u32;
+    var phi_501_: bool;
+    var phi_506_: u32;
+    var phi_518_: i32;
+    var phi_538_: i32;
     var phi_556_: f32;
     var phi_562_: f32;
-    var phi_585_: f32;
-    var phi_596_: f32;
-    var phi_605_: f32;
-    var phi_611_: f32;
-    var phi_622_: f32;
-    var phi_628_: f32;
-    var phi_651_: f32;
-    var phi_662_: f32;
-    var phi_762_: f32;
-    var phi_763_: f32;
-    var phi_4082_: bool;
-    var phi_852_: type_36;
-    var phi_855_: type_49;
-    var phi_857_: u32;
-    var phi_859_: bool;
-    var phi_861_: u32;
-    var phi_872_: bool;
-    var phi_958_: type_49;
-    var phi_959_: bool;
-    var phi_960_: u32;
-    var phi_3069_: u32;
-    var phi_3075_: u32;
-    var phi_3329_: u32;
-    var phi_3330_: u32;
-    var phi_3340_: u32;
-    var phi_3342_: u32;
-    var phi_3343_: bool;
-    var phi_3363_: u32;
-    var phi_3364_: u32;
-    var phi_3368_: type_50;
-    var phi_3712_: type_49;
-    var phi_3789_: type_49;
-    var phi_3790_: type_49;
-    var phi_3791_: u32;
-    var phi_3793_: type_49;
-    var phi_3794_: u32;
-    var phi_3795_: bool;
-    var phi_3804_: type_49;
-    var phi_3809_: type_49;
-    var phi_3810_: bool;
-    var phi_979_: type_36;
-    var phi_982_: type_8;
-    var phi_983_: type_8;
-    var phi_1005_: type_8;
-    var phi_1046_: u32;
-    var phi_1052_: u32;
-    var phi_1062_: u32;
-    var phi_1078_: u32;
-    var phi_1111_: u32;
-    var phi_1117_: u32;
-    var phi_1544_: u32;
-    var phi_1562_: u32;
-    var phi_1580_: u32;
-    var phi_1600_: u32;
-    var phi_1618_: u32;
-    var phi_1636_: u32;
-    var phi_1656_: u32;
-    var phi_1674_: u32;
-    var phi_1692_: u32;
-    var phi_1270_: u32;
-    var phi_1285_: u32;
-    var phi_1295_: u32;
-    var phi_1315_: u32;
-    var phi_1335_: u32;
-    var phi_1361_: u32;
-    var phi_1376_: u32;
-    var phi_1386_: u32;
-    var phi_1406_: u32;
-    var phi_1426_: u32;
-    var phi_1452_: u32;
-    var phi_1467_: u32;
-    var phi_1477_: u32;
-    var phi_1497_: u32;
-    var phi_1517_: u32;
-    var phi_1141_: u32;
-    var phi_1184_: u32;
-    var phi_1227_: u32;
-    var phi_1698_: array<array<f32, 3>, 3>;
-    var phi_1815_: bool;
-    var phi_1844_: bool;
-    var phi_2245_: f32;
-    var phi_2246_: f32;
-    var phi_2247_: f32;
-    var phi_2248_: f32;
-    var phi_2249_: vec3<f32>;
-    var phi_2250_: vec3<f32>;
-    var phi_2251_: vec3<f32>;
-    var phi_2252_: vec3<f32>;
-    var phi_2283_: bool;
-    var phi_2292_: vec3<f32>;
-    var phi_2457_: f32;
-    var phi_2459_: f32;
-    var phi_2460_: bool;
-    var phi_2480_: f32;
-    var phi_2481_: f32;
-    var phi_2504_: type_24;
-    var phi_2506_: type_24;
-    var phi_2507_: bool;
-    var phi_2511_: type_24;
-    var phi_2512_: type_24;
-    var phi_2513_: type_24;
-    var phi_2514_: bool;
-    var phi_2518_: type_24;
-    var phi_2519_: bool;
-    var phi_2520_: type_24;
-    var phi_2521_: bool;
-    var phi_2522_: bool;
-    var phi_2523_: type_24;
-    var phi_2524_: bool;
-    var phi_2525_: bool;
-    var phi_2533_: type_24;
-    var phi_2534_: bool;
-    var phi_2538_: type_24;
-    var phi_2563_: bool;
-    var phi_2564_: bool;
-    var phi_2570_: type_36;
-    var phi_2571_: type_36;
-    var phi_2572_: type_36;
-    var phi_980_: type_36;
-    var phi_4076_: bool;
-    var phi_4269_: bool;
-    var phi_3812_: type_36;
-    var phi_3813_: type_49;
-    var phi_3814_: bool;
-    var phi_3815_: u32;
-    var phi_4268_: bool;
-    var phi_3816_: type_36;
-    var phi_3817_: type_49;
-    var phi_3818_: u32;
-    var phi_3819_: bool;
-    var phi_3820_: u32;
-    var phi_4267_: bool;
-    var phi_3821_: type_36;
-    var phi_3822_: type_49;
-    var phi_3823_: u32;
-    var phi_3824_: bool;
-    var phi_3825_: u32;
-    var phi_4266_: bool;
-    var phi_853_: type_36;
-    var phi_856_: type_49;
-    var phi_858_: u32;
-    var phi_860_: bool;
-    var phi_862_: u32;
-    var phi_3826_: bool;
-    var phi_4265_: bool;
+    var phi_602_: f32;
+    var phi_608_: f32;
+    var phi_660_: f32;
+    var phi_671_: f32;
+    var phi_680_: f32;
+    var phi_686_: f32;
+    var phi_726_: f32;
+    var phi_732_: f32;
+    var phi_784_: f32;
+    var phi_795_: f32;
+    var phi_804_: f32;
+    var phi_810_: f32;
+    var phi_850_: f32;
+    var phi_856_: f32;
+    var phi_908_: f32;
+    var phi_919_: f32;
+    var phi_974_: i32;
+    var phi_996_: u32;
+    var phi_997_: u32;
+    var phi_1034_: i32;
+    var phi_1056_: u32;
+    var phi_1057_: u32;
+    var phi_1065_: f32;
+    var phi_1066_: f32;
+    var phi_4509_: bool;
+    var phi_1155_: type_36;
+    var phi_1158_: type_49;
+    var phi_1160_: u32;
+    var phi_1162_: bool;
+    var phi_1164_: u32;
+    var phi_1175_: bool;
+    var phi_1261_: type_49;
+    var phi_1262_: bool;
+    var phi_1263_: u32;
+    var phi_3390_: u32;
+    var phi_3396_: u32;
+    var phi_3650_: u32;
+    var phi_3651_: u32;
+    var phi_3661_: u32;
+    var phi_3663_: u32;
+    var phi_3664_: bool;
+    var phi_3684_: u32;
+    var phi_3685_: u32;
+    var phi_3689_: type_50;
+    var phi_4033_: type_49;
+    var phi_4110_: type_49;
+    var phi_4111_: type_49;
+    var phi_4112_: u32;
+    var phi_4114_: type_49;
+    var phi_4115_: u32;
+    var phi_4116_: bool;
+    var phi_4125_: type_49;
+    var phi_4130_: type_49;
+    var phi_4131_: bool;
+    var phi_1282_: type_36;
+    var phi_1285_: type_8;
+    var phi_1286_: type_8;
+    var phi_1308_: type_8;
+    var phi_1349_: u32;
+    var phi_1355_: u32;
+    var phi_1365_: u32;
+    var phi_1381_: u32;
+    var phi_1414_: u32;
+    var phi_1420_: u32;
+    var phi_1865_: u32;
+    var phi_1883_: u32;
+    var phi_1901_: u32;
+    var phi_1921_: u32;
+    var phi_1939_: u32;
+    var phi_1957_: u32;
+    var phi_1977_: u32;
+    var phi_1995_: u32;
+    var phi_2013_: u32;
+    var phi_1582_: u32;
+    var phi_1597_: u32;
+    var phi_1607_: u32;
+    var phi_1628_: u32;
+    var phi_1649_: u32;
+    var phi_1676_: u32;
+    var phi_1691_: u32;
+    var phi_1701_: u32;
+    var phi_1722_: u32;
+    var phi_1743_: u32;
+    var phi_1770_: u32;
+    var phi_1785_: u32;
+    var phi_1795_: u32;
+    var phi_1816_: u32;
+    var phi_1837_: u32;
+    var phi_1444_: u32;
+    var phi_1490_: u32;
+    var phi_1536_: u32;
+    var phi_2019_: array<array<f32, 3>, 3>;
+    var phi_2136_: bool;
+    var phi_2165_: bool;
+    var phi_2566_: f32;
+    var phi_2567_: f32;
+    var phi_2568_: f32;
+    var phi_2569_: f32;
+    var phi_2570_: vec3<f32>;
+    var phi_2571_: vec3<f32>;
+    var phi_2572_: vec3<f32>;
+    var phi_2573_: vec3<f32>;
+    var phi_2604_: bool;
+    var phi_2613_: vec3<f32>;
+    var phi_2778_: f32;
+    var phi_2780_: f32;
+    var phi_2781_: bool;
+    var phi_2801_: f32;
+    var phi_2802_: f32;
+    var phi_2825_: type_24;
+    var phi_2827_: type_24;
+    var phi_2828_: bool;
+    var phi_2832_: type_24;
+    var phi_2833_: type_24;
+    var phi_2834_: type_24;
+    var phi_2835_: bool;
+    var phi_2839_: type_24;
+    var phi_2840_: bool;
+    var phi_2841_: type_24;
+    var phi_2842_: bool;
+    var phi_2843_: bool;
+    var phi_2844_: type_24;
+    var phi_2845_: bool;
+    var phi_2846_: bool;
+    var phi_2854_: type_24;
+    var phi_2855_: bool;
+    var phi_2859_: type_24;
+    var phi_2884_: bool;
+    var phi_2885_: bool;
+    var phi_2891_: type_36;
+    var phi_2892_: type_36;
+    var phi_2893_: type_36;
+    var phi_1283_: type_36;
+    var phi_4503_: bool;
+    var phi_4714_: bool;
+    var phi_4133_: type_36;
+    var phi_4134_: type_49;
+    var phi_4135_: bool;
+    var phi_4136_: u32;
+    var phi_4713_: bool;
+    var phi_4137_: type_36;
+    var phi_4138_: type_49;
+    var phi_4139_: u32;
+    var phi_4140_: bool;
+    var phi_4141_: u32;
+    var phi_4712_: bool;
+    var phi_4142_: type_36;
+    var phi_4143_: type_49;
+    var phi_4144_: u32;
+    var phi_4145_: bool;
+    var phi_4146_: u32;
+    var phi_4711_: bool;
+    var phi_1156_: type_36;
+    var phi_1159_: type_49;
+    var phi_1161_: u32;
+    var phi_1163_: bool;
+    var phi_1165_: u32;
+    var phi_4147_: bool;
+    var phi_4710_: bool;
     var local_10: type_36;
-    var phi_3878_: type_24;
+    var phi_4185_: f32;
+    var phi_4187_: f32;
+    var phi_4188_: bool;
+    var phi_4189_: f32;
+    var phi_4190_: bool;
+    var phi_4411_: u32;
+    var phi_4429_: bool;
+    var phi_4432_: bool;
+    var phi_4445_: f32;
+    var phi_4446_: f32;
+    var phi_4451_: f32;
+    var phi_4452_: f32;
+    var phi_4453_: bool;
+    var phi_4461_: f32;
+    var phi_4205_: f32;
+    var phi_4206_: f32;
+    var phi_4218_: f32;
+    var phi_4223_: type_24;
     var local_11: type_36;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e91 = global;
-            let _e93 = arrayLength((&global_3.member));
-            let _e96 = arrayLength((&global_5.member));
-            let _e104 = global_2.member[0u][0u];
-            let _e108 = global_2.member[0u][1u];
-            let _e112 = global_2.member[0u][2u];
-            let _e116 = global_2.member[0u][3u];
-            let _e120 = global_2.member[1u][0u];
-            let _e124 = global_2.member[1u][1u];
-            let _e128 = global_2.member[1u][2u];
-            let _e131 = global_1.member[0u];
-            let _e132 = bitcast<i32>(_e131);
-            let _e144 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e116) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e104), bitcast<i32>(_e108), bitcast<i32>(_e112));
-            local = array<i32, 3>(bitcast<i32>(_e120), bitcast<i32>(_e124), bitcast<i32>(_e128));
-            let _e150 = (_e91.x + (_e91.y * 2097152u));
-            let _e151 = (_e150 < arrayLength((&global_4.member)));
-            if _e151 {
-                let _e152 = (_e150 < arrayLength((&global_6.member)));
-                if _e152 {
-                    if _e151 {
+            let _e97 = global;
+            let _e99 = arrayLength((&global_3.member));
+            let _e102 = arrayLength((&global_5.member));
+            let _e110 = global_2.member[0u][0u];
+            let _e114 = global_2.member[0u][1u];
+            let _e118 = global_2.member[0u][2u];
+            let _e122 = global_2.member[0u][3u];
+            let _e126 = global_2.member[1u][0u];
+            let _e130 = global_2.member[1u][1u];
+            let _e134 = global_2.member[1u][2u];
+            let _e137 = global_1.member[0u];
+            let _e138 = bitcast<i32>(_e137);
+            let _e150 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e122) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e110), bitcast<i32>(_e114), bitcast<i32>(_e118));
+            local = array<i32, 3>(bitcast<i32>(_e126), bitcast<i32>(_e130), bitcast<i32>(_e134));
+            let _e156 = (_e97.x + (_e97.y * 2097152u));
+            let _e157 = (_e156 < arrayLength((&global_4.member)));
+            if _e157 {
+                let _e158 = (_e156 < arrayLength((&global_6.member)));
+                if _e158 {
+                    if _e157 {
                     } else {
                         break;
                     }
-                    let _e160 = global_4.member[_e150].member_2[0u];
-                    let _e162 = (bitcast<u32>(_e160) & 2147483647u);
-                    let _e167 = global_4.member[_e150].member_2[1u];
-                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
-                    let _e174 = global_4.member[_e150].member_2[2u];
-                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
-                    let _e181 = global_4.member[_e150].member[0u];
-                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
-                    let _e188 = global_4.member[_e150].member[1u];
-                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                    let _e195 = global_4.member[_e150].member[2u];
-                    let _e197 = (bitcast<u32>(_e195) & 2147483647u);
-                    let _e199 = select(_e169, _e162, (_e169 < _e162));
-                    let _e201 = select(_e176, _e199, (_e176 < _e199));
-                    let _e203 = select(_e183, _e201, (_e183 < _e201));
-                    let _e205 = select(_e190, _e203, (_e190 < _e203));
-                    let _e207 = select(_e197, _e205, (_e197 < _e205));
-                    let _e211 = global_4.member[_e150].member_1;
-                    let _e213 = (bitcast<u32>(_e211) & 2147483647u);
-                    let _e220 = global_4.member[_e150].member_3;
-                    let _e226 = (((select(_e213, _e207, (_e213 < _e207)) < 2139095040u) && ((bitcast<u32>(_e220) & 2147483647u) <= 2139095040u)) && (_e201 > 0u));
-                    if _e226 {
-                        let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
-                        if (_e229 >= 8388608u) {
-                            phi_394_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
+                    let _e166 = global_4.member[_e156].member_2[0u];
+                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
+                    let _e173 = global_4.member[_e156].member_2[1u];
+                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
+                    let _e180 = global_4.member[_e156].member_2[2u];
+                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
+                    let _e187 = global_4.member[_e156].member[0u];
+                    let _e189 = (bitcast<u32>(_e187) & 2147483647u);
+                    let _e194 = global_4.member[_e156].member[1u];
+                    let _e196 = (bitcast<u32>(_e194) & 2147483647u);
+                    let _e201 = global_4.member[_e156].member[2u];
+                    let _e203 = (bitcast<u32>(_e201) & 2147483647u);
+                    let _e205 = select(_e175, _e168, (_e175 < _e168));
+                    let _e207 = select(_e182, _e205, (_e182 < _e205));
+                    let _e209 = select(_e189, _e207, (_e189 < _e207));
+                    let _e211 = select(_e196, _e209, (_e196 < _e209));
+                    let _e213 = select(_e203, _e211, (_e203 < _e211));
+                    let _e217 = global_4.member[_e156].member_1;
+                    let _e218 = bitcast<u32>(_e217);
+                    let _e219 = (_e218 & 2147483647u);
+                    let _e226 = global_4.member[_e156].member_3;
+                    let _e227 = bitcast<u32>(_e226);
+                    let _e228 = (_e227 & 2147483647u);
+                    let _e232 = (((select(_e219, _e213, (_e219 < _e213)) < 2139095040u) && (_e228 <= 2139095040u)) && (_e207 > 0u));
+                    if _e232 {
+                        let _e235 = (bitcast<u32>(bitcast<f32>(_e207)) & 2147483647u);
+                        if (_e235 >= 8388608u) {
+                            phi_477_ = (bitcast<i32>((_e235 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_394_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
+                            phi_477_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e235)), 32u, (_e235 == 0u))));
                         }
-                        let _e243 = phi_394_;
-                        phi_395_ = _e243;
+                        let _e249 = phi_477_;
+                        phi_478_ = _e249;
                     } else {
-                        phi_395_ = 0i;
+                        phi_478_ = 0i;
                     }
-                    let _e245 = phi_395_;
-                    let _e246 = (_e162 == _e201);
-                    if _e246 {
-                        phi_405_ = true;
+                    let _e251 = phi_478_;
+                    let _e252 = (_e168 == _e207);
+                    if _e252 {
+                        phi_488_ = true;
                     } else {
-                        phi_405_ = (_e169 == _e201);
+                        phi_488_ = (_e175 == _e207);
                     }
-                    let _e249 = phi_405_;
-                    let _e250 = select(1u, 0u, _e246);
-                    if _e249 {
-                        let _e251 = (_e250 + 1u);
-                        phi_415_ = _e251;
-                        phi_416_ = _e251;
-                        phi_418_ = select(true, false, (_e251 == 2u));
+                    let _e255 = phi_488_;
+                    let _e256 = select(1u, 0u, _e252);
+                    if _e255 {
+                        let _e257 = (_e256 + 1u);
+                        phi_498_ = _e257;
+                        phi_499_ = _e257;
+                        phi_501_ = select(true, false, (_e257 == 2u));
                     } else {
-                        phi_415_ = u32();
-                        phi_416_ = 0u;
-                        phi_418_ = true;
+                        phi_498_ = u32();
+                        phi_499_ = 0u;
+                        phi_501_ = true;
                     }
-                    let _e255 = phi_415_;
-                    let _e257 = phi_416_;
-                    let _e259 = phi_418_;
-                    if _e259 {
-                        phi_423_ = (_e257 + 1u);
+                    let _e261 = phi_498_;
+                    let _e263 = phi_499_;
+                    let _e265 = phi_501_;
+                    if _e265 {
+                        phi_506_ = (_e263 + 1u);
                     } else {
-                        phi_423_ = 0u;
+                        phi_506_ = 0u;
                     }
-                    let _e263 = phi_423_;
-                    let _e264 = select(_e255, _e257, _e259);
-                    let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
-                    if (_e132 < -126i) {
-                        phi_435_ = -126i;
+                    let _e269 = phi_506_;
+                    let _e270 = select(_e261, _e263, _e265);
+                    let _e271 = select(_e256, select(2u, _e256, _e255), _e265);
+                    if (_e138 < -126i) {
+                        phi_518_ = -126i;
                     } else {
-                        phi_435_ = select(_e132, 127i, (_e132 > 127i));
+                        phi_518_ = select(_e138, 127i, (_e138 > 127i));
                     }
-                    let _e270 = phi_435_;
-                    let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
-                    let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
-                    let _e282 = -(_e245);
-                    if (_e282 < -126i) {
-                        phi_455_ = -126i;
+                    let _e276 = phi_518_;
+                    let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
+                    let _e287 = bitcast<f32>((bitcast<u32>(((_e138 - _e276) + 127i)) << bitcast<u32>(23i)));
+                    let _e288 = -(_e251);
+                    if (_e288 < -126i) {
+                        phi_538_ = -126i;
                     } else {
-                        phi_455_ = select(_e282, 127i, (_e282 > 127i));
+                        phi_538_ = select(_e288, 127i, (_e288 > 127i));
                     }
-                    let _e287 = phi_455_;
-                    let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
-                    let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
-                    let _e302 = global_4.member[_e150].member;
-                    let _e303 = (_e264 == 0u);
-                    if _e303 {
-                        phi_473_ = _e302[0];
+                    let _e293 = phi_538_;
+                    let _e298 = bitcast<f32>((bitcast<u32>((_e293 + 127i)) << bitcast<u32>(23i)));
+                    let _e304 = bitcast<f32>((bitcast<u32>(((_e288 - _e293) + 127i)) << bitcast<u32>(23i)));
+                    let _e308 = global_4.member[_e156].member;
+                    let _e309 = (_e270 == 0u);
+                    if _e309 {
+                        phi_556_ = _e308[0];
                     } else {
-                        phi_473_ = _e302[1];
+                        phi_556_ = _e308[1];
                     }
-                    let _e307 = phi_473_;
-                    let _e308 = (_e264 == 2u);
-                    if _e308 {
-                        phi_479_ = _e302[2];
+                    let _e313 = phi_556_;
+                    let _e314 = (_e270 == 2u);
+                    if _e314 {
+                        phi_562_ = _e308[2];
                     } else {
-                        phi_479_ = _e307;
+                        phi_562_ = _e313;
                     }
-                    let _e311 = phi_479_;
-                    let _e313 = ((_e311 * _e275) * _e281);
-                    let _e314 = global_4.member[_e150].member_2;
-                    if _e303 {
-                        phi_490_ = _e314[0];
+                    let _e317 = phi_562_;
+                    let _e318 = bitcast<u32>(_e317);
+                    let _e320 = ((_e318 & 2139095040u) != 0u);
+                    let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e281) * select(0.00000011920929f, 1f, _e320)) * _e287);
+                    let _e335 = global_4.member[_e156].member_2;
+                    if _e309 {
+                        phi_602_ = _e335[0];
                     } else {
-                        phi_490_ = _e314[1];
+                        phi_602_ = _e335[1];
                     }
-                    let _e318 = phi_490_;
-                    if _e308 {
-                        phi_496_ = _e314[2];
+                    let _e339 = phi_602_;
+                    if _e314 {
+                        phi_608_ = _e335[2];
                     } else {
-                        phi_496_ = _e318;
+                        phi_608_ = _e339;
                     }
-                    let _e321 = phi_496_;
-                    let _e323 = ((_e321 * _e292) * _e298);
-                    let _e327 = (bitcast<f32>((bitcast<u32>(_e323) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e327 {
-                        let _e331 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
-                        phi_519_ = select(0.00000000000011368684f, _e331, (_e331 > 0.00000000000011368684f));
+                    let _e342 = phi_608_;
+                    let _e343 = bitcast<u32>(_e342);
+                    let _e345 = ((_e343 & 2139095040u) != 0u);
+                    let _e359 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e343 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e343 & 2147483648u))), _e342, _e345) * _e298) * select(0.00000011920929f, 1f, _e345)) * _e304);
+                    let _e363 = (bitcast<f32>((bitcast<u32>(_e359) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e363 {
+                        let _e367 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) * 0.00000011920929f);
+                        phi_660_ = select(0.00000000000011368684f, _e367, (_e367 > 0.00000000000011368684f));
                     } else {
-                        phi_519_ = 0f;
+                        phi_660_ = 0f;
                     }
-                    let _e335 = phi_519_;
-                    let _e336 = (_e313 + _e335);
-                    let _e337 = (_e313 - _e335);
-                    let _e338 = select(_e323, 0f, _e327);
-                    if _e327 {
-                        phi_530_ = 38685626000000000000000000f;
+                    let _e371 = phi_660_;
+                    let _e372 = (_e334 + _e371);
+                    let _e373 = (_e334 - _e371);
+                    let _e374 = select(_e359, 0f, _e363);
+                    if _e363 {
+                        phi_671_ = 38685626000000000000000000f;
                     } else {
-                        phi_530_ = (1f / _e323);
+                        phi_671_ = (1f / _e359);
                     }
-                    let _e341 = phi_530_;
-                    let _e342 = (_e263 == 0u);
-                    if _e342 {
-                        phi_539_ = _e302[0];
+                    let _e377 = phi_671_;
+                    let _e378 = (_e269 == 0u);
+                    if _e378 {
+                        phi_680_ = _e308[0];
                     } else {
-                        phi_539_ = _e302[1];
+                        phi_680_ = _e308[1];
                     }
-                    let _e346 = phi_539_;
-                    let _e347 = (_e263 == 2u);
-                    if _e347 {
-                        phi_545_ = _e302[2];
+                    let _e382 = phi_680_;
+                    let _e383 = (_e269 == 2u);
+                    if _e383 {
+                        phi_686_ = _e308[2];
                     } else {
-                        phi_545_ = _e346;
+                        phi_686_ = _e382;
                     }
-                    let _e350 = phi_545_;
-                    let _e352 = ((_e350 * _e275) * _e281);
-                    if _e342 {
-                        phi_556_ = _e314[0];
+                    let _e386 = phi_686_;
+                    let _e387 = bitcast<u32>(_e386);
+                    let _e389 = ((_e387 & 2139095040u) != 0u);
+                    let _e403 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e387 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e387 & 2147483648u))), _e386, _e389) * _e281) * select(0.00000011920929f, 1f, _e389)) * _e287);
+                    if _e378 {
+                        phi_726_ = _e335[0];
                     } else {
-                        phi_556_ = _e314[1];
+                        phi_726_ = _e335[1];
                     }
-                    let _e356 = phi_556_;
-                    if _e347 {
-                        phi_562_ = _e314[2];
+                    let _e407 = phi_726_;
+                    if _e383 {
+                        phi_732_ = _e335[2];
                     } else {
-                        phi_562_ = _e356;
+                        phi_732_ = _e407;
                     }
-                    let _e359 = phi_562_;
-                    let _e361 = ((_e359 * _e292) * _e298);
-                    let _e365 = (bitcast<f32>((bitcast<u32>(_e361) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e365 {
-                        let _e369 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) * 0.00000011920929f);
-                        phi_585_ = select(0.00000000000011368684f, _e369, (_e369 > 0.00000000000011368684f));
+                    let _e410 = phi_732_;
+                    let _e411 = bitcast<u32>(_e410);
+                    let _e413 = ((_e411 & 2139095040u) != 0u);
+                    let _e427 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e411 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e411 & 2147483648u))), _e410, _e413) * _e298) * select(0.00000011920929f, 1f, _e413)) * _e304);
+                    let _e431 = (bitcast<f32>((bitcast<u32>(_e427) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e431 {
+                        let _e435 = (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) * 0.00000011920929f);
+                        phi_784_ = select(0.00000000000011368684f, _e435, (_e435 > 0.00000000000011368684f));
                     } else {
-                        phi_585_ = 0f;
+                        phi_784_ = 0f;
                     }
-                    let _e373 = phi_585_;
-                    let _e374 = (_e352 + _e373);
-                    let _e375 = (_e352 - _e373);
-                    let _e376 = select(_e361, 0f, _e365);
-                    if _e365 {
-                        phi_596_ = 38685626000000000000000000f;
+                    let _e439 = phi_784_;
+                    let _e440 = (_e403 + _e439);
+                    let _e441 = (_e403 - _e439);
+                    let _e442 = select(_e427, 0f, _e431);
+                    if _e431 {
+                        phi_795_ = 38685626000000000000000000f;
                     } else {
-                        phi_596_ = (1f / _e361);
+                        phi_795_ = (1f / _e427);
                     }
-                    let _e379 = phi_596_;
-                    let _e380 = (_e265 == 0u);
-                    if _e380 {
-                        phi_605_ = _e302[0];
+                    let _e445 = phi_795_;
+                    let _e446 = (_e271 == 0u);
+                    if _e446 {
+                        phi_804_ = _e308[0];
                     } else {
-                        phi_605_ = _e302[1];
+                        phi_804_ = _e308[1];
                     }
-                    let _e384 = phi_605_;
-                    let _e385 = (_e265 == 2u);
-                    if _e385 {
-                        phi_611_ = _e302[2];
+                    let _e450 = phi_804_;
+                    let _e451 = (_e271 == 2u);
+                    if _e451 {
+                        phi_810_ = _e308[2];
                     } else {
-                        phi_611_ = _e384;
+                        phi_810_ = _e450;
                     }
-                    let _e388 = phi_611_;
-                    let _e390 = ((_e388 * _e275) * _e281);
-                    if _e380 {
-                        phi_622_ = _e314[0];
+                    let _e454 = phi_810_;
+                    let _e455 = bitcast<u32>(_e454);
+                    let _e457 = ((_e455 & 2139095040u) != 0u);
+                    let _e471 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e455 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e455 & 2147483648u))), _e454, _e457) * _e281) * select(0.00000011920929f, 1f, _e457)) * _e287);
+                    if _e446 {
+                        phi_850_ = _e335[0];
                     } else {
-                        phi_622_ = _e314[1];
+                        phi_850_ = _e335[1];
                     }
-                    let _e394 = phi_622_;
-                    if _e385 {
-                        phi_628_ = _e314[2];
+                    let _e475 = phi_850_;
+                    if _e451 {
+                        phi_856_ = _e335[2];
                     } else {
-                        phi_628_ = _e394;
+                        phi_856_ = _e475;
                     }
-                    let _e397 = phi_628_;
-                    let _e399 = ((_e397 * _e292) * _e298);
-                    let _e403 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e403 {
-                        let _e407 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) * 0.00000011920929f);
-                        phi_651_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
+                    let _e478 = phi_856_;
+                    let _e479 = bitcast<u32>(_e478);
+                    let _e481 = ((_e479 & 2139095040u) != 0u);
+                    let _e495 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e479 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e479 & 2147483648u))), _e478, _e481) * _e298) * select(0.00000011920929f, 1f, _e481)) * _e304);
+                    let _e499 = (bitcast<f32>((bitcast<u32>(_e495) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e499 {
+                        let _e503 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) * 0.00000011920929f);
+                        phi_908_ = select(0.00000000000011368684f, _e503, (_e503 > 0.00000000000011368684f));
                     } else {
-                        phi_651_ = 0f;
+                        phi_908_ = 0f;
                     }
-                    let _e411 = phi_651_;
-                    let _e412 = (_e390 + _e411);
-                    let _e413 = (_e390 - _e411);
-                    let _e414 = select(_e399, 0f, _e403);
-                    if _e403 {
-                        phi_662_ = 38685626000000000000000000f;
+                    let _e507 = phi_908_;
+                    let _e508 = (_e471 + _e507);
+                    let _e509 = (_e471 - _e507);
+                    let _e510 = select(_e495, 0f, _e499);
+                    if _e499 {
+                        phi_919_ = 38685626000000000000000000f;
                     } else {
-                        phi_662_ = (1f / _e399);
+                        phi_919_ = (1f / _e495);
                     }
-                    let _e417 = phi_662_;
-                    let _e420 = bitcast<f32>((bitcast<u32>(_e313) & 2147483647u));
-                    let _e423 = bitcast<f32>((bitcast<u32>(_e352) & 2147483647u));
-                    let _e425 = select(_e423, _e420, (_e420 > _e423));
-                    let _e428 = bitcast<f32>((bitcast<u32>(_e390) & 2147483647u));
-                    let _e431 = (_e132 + _e245);
-                    if (_e226 && (select(_e428, _e425, (_e425 > _e428)) <= 1099511600000f)) {
-                        let _e434 = (_e431 / 3i);
-                        let _e441 = bitcast<f32>((bitcast<u32>((_e434 + 127i)) << bitcast<u32>(23i)));
-                        let _e448 = bitcast<f32>((bitcast<u32>(((_e431 - (2i * _e434)) + 127i)) << bitcast<u32>(23i)));
-                        let _e449 = (((_e211 * _e441) * _e441) * _e448);
-                        let _e451 = select(340282350000000000000000000000000000000f, _e449, (_e449 < 340282350000000000000000000000000000000f));
-                        let _e456 = (((_e220 * _e441) * _e441) * _e448);
-                        let _e458 = select(340282350000000000000000000000000000000f, _e456, (_e456 < 340282350000000000000000000000000000000f));
-                        phi_762_ = select(-340282350000000000000000000000000000000f, _e458, (_e458 > -340282350000000000000000000000000000000f));
-                        phi_763_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
+                    let _e513 = phi_919_;
+                    let _e516 = bitcast<f32>((bitcast<u32>(_e334) & 2147483647u));
+                    let _e519 = bitcast<f32>((bitcast<u32>(_e403) & 2147483647u));
+                    let _e521 = select(_e519, _e516, (_e516 > _e519));
+                    let _e524 = bitcast<f32>((bitcast<u32>(_e471) & 2147483647u));
+                    let _e527 = (_e138 + _e251);
+                    if (_e232 && (select(_e524, _e521, (_e521 > _e524)) <= 1099511600000f)) {
+                        let _e537 = ((_e219 & 8388607u) | (select(0u, 1u, ((_e219 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e540 = bitcast<i32>((_e219 >> bitcast<u32>(23i)));
+                        let _e544 = (_e537 == 0u);
+                        let _e547 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e537)), 32u, _e544)) - 8i);
+                        if (_e540 == 255i) {
+                            phi_974_ = 255i;
+                        } else {
+                            phi_974_ = (((_e540 + select(0i, 1i, (_e540 == 0i))) - _e547) + _e527);
+                        }
+                        let _e555 = phi_974_;
+                        let _e565 = (_e555 <= 0i);
+                        if _e565 {
+                            phi_997_ = u32();
+                        } else {
+                            if _e544 {
+                                phi_996_ = u32();
+                            } else {
+                                phi_996_ = select(((bitcast<u32>(_e555) << bitcast<u32>(23i)) | ((_e537 << bitcast<u32>(((_e547 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e555 >= 255i));
+                            }
+                            let _e569 = phi_996_;
+                            phi_997_ = _e569;
+                        }
+                        let _e571 = phi_997_;
+                        let _e583 = ((_e228 & 8388607u) | (select(0u, 1u, ((_e228 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e586 = bitcast<i32>((_e228 >> bitcast<u32>(23i)));
+                        let _e590 = (_e583 == 0u);
+                        let _e593 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e583)), 32u, _e590)) - 8i);
+                        if (_e586 == 255i) {
+                            phi_1034_ = 255i;
+                        } else {
+                            phi_1034_ = (((_e586 + select(0i, 1i, (_e586 == 0i))) - _e593) + _e527);
+                        }
+                        let _e601 = phi_1034_;
+                        let _e611 = (_e601 <= 0i);
+                        if _e611 {
+                            phi_1057_ = u32();
+                        } else {
+                            if _e590 {
+                                phi_1056_ = u32();
+                            } else {
+                                phi_1056_ = select(((bitcast<u32>(_e601) << bitcast<u32>(23i)) | ((_e583 << bitcast<u32>(((_e593 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e601 >= 255i));
+                            }
+                            let _e615 = phi_1056_;
+                            phi_1057_ = _e615;
+                        }
+                        let _e617 = phi_1057_;
+                        phi_1065_ = bitcast<f32>(((_e227 & 2147483648u) | select(_e617, 0u, select(_e590, true, _e611))));
+                        phi_1066_ = bitcast<f32>(((_e218 & 2147483648u) | select(_e571, 0u, select(_e544, true, _e565))));
                     } else {
-                        phi_762_ = 0f;
-                        phi_763_ = 1f;
+                        phi_1065_ = 0f;
+                        phi_1066_ = 1f;
                     }
-                    let _e462 = phi_762_;
-                    let _e464 = phi_763_;
+                    let _e623 = phi_1065_;
+                    let _e625 = phi_1066_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -527,1305 +604,1404 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e468 = (_e264 % 3u);
-                    let _e469 = (_e468 < 3u);
-                    if _e469 {
+                    let _e629 = (_e270 % 3u);
+                    let _e630 = (_e629 < 3u);
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e471 = local_1[_e468];
-                    let _e474 = (_e263 % 3u);
-                    let _e475 = (_e474 < 3u);
-                    if _e475 {
+                    let _e632 = local_1[_e629];
+                    let _e635 = (_e269 % 3u);
+                    let _e636 = (_e635 < 3u);
+                    if _e636 {
                     } else {
                         break;
                     }
-                    let _e477 = local_1[_e474];
-                    let _e480 = (_e265 % 3u);
-                    let _e481 = (_e480 < 3u);
-                    if _e481 {
+                    let _e638 = local_1[_e635];
+                    let _e641 = (_e271 % 3u);
+                    let _e642 = (_e641 < 3u);
+                    if _e642 {
                     } else {
                         break;
                     }
-                    let _e483 = local_1[_e480];
-                    if _e469 {
+                    let _e644 = local_1[_e641];
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e488 = local[_e468];
-                    if _e475 {
+                    let _e649 = local[_e629];
+                    if _e636 {
                     } else {
                         break;
                     }
-                    let _e492 = local[_e474];
-                    if _e481 {
+                    let _e653 = local[_e635];
+                    if _e642 {
                     } else {
                         break;
                     }
-                    let _e496 = local[_e480];
-                    phi_4082_ = false;
-                    phi_852_ = type_36(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e462);
-                    phi_855_ = type_49(type_32(vec4<f32>((f32(_e471) * _e144), (f32(_e477) * _e144), (f32(_e483) * _e144), 0f), vec4<f32>((f32(_e488) * _e144), (f32(_e492) * _e144), (f32(_e496) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
-                    phi_857_ = ((3u * _e93) + 1u);
-                    phi_859_ = (_e464 <= _e462);
-                    phi_861_ = 0u;
+                    let _e657 = local[_e641];
+                    phi_4509_ = false;
+                    phi_1155_ = type_36(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e623);
+                    phi_1158_ = type_49(type_32(vec4<f32>((f32(_e632) * _e150), (f32(_e638) * _e150), (f32(_e644) * _e150), 0f), vec4<f32>((f32(_e649) * _e150), (f32(_e653) * _e150), (f32(_e657) * _e150), 0f)), select(0u, 2147483648u, (_e99 == 0u)));
+                    phi_1160_ = ((3u * _e99) + 1u);
+                    phi_1162_ = (_e625 <= _e623);
+                    phi_1164_ = 0u;
                     loop {
-                        let _e506 = phi_4082_;
-                        let _e508 = phi_852_;
-                        let _e510 = phi_855_;
-                        let _e512 = phi_857_;
-                        let _e514 = phi_859_;
-                        let _e516 = phi_861_;
-                        local_10 = _e508;
-                        if _e514 {
-                            phi_872_ = true;
+                        let _e667 = phi_4509_;
+                        let _e669 = phi_1155_;
+                        let _e671 = phi_1158_;
+                        let _e673 = phi_1160_;
+                        let _e675 = phi_1162_;
+                        let _e677 = phi_1164_;
+                        local_10 = _e669;
+                        if _e675 {
+                            phi_1175_ = true;
                         } else {
-                            phi_872_ = (_e516 > 0u);
+                            phi_1175_ = (_e677 > 0u);
                         }
-                        let _e519 = phi_872_;
-                        if _e519 {
-                            let _e520 = (_e512 > 0u);
-                            if _e520 {
-                                if _e514 {
-                                    phi_958_ = _e510;
-                                    phi_959_ = _e514;
-                                    phi_960_ = _e516;
+                        let _e680 = phi_1175_;
+                        if _e680 {
+                            let _e681 = (_e673 > 0u);
+                            if _e681 {
+                                if _e675 {
+                                    phi_1261_ = _e671;
+                                    phi_1262_ = _e675;
+                                    phi_1263_ = _e677;
                                 } else {
-                                    let _e521 = (_e516 - 1u);
-                                    let _e522 = (_e521 % 128u);
-                                    let _e523 = (_e522 < 128u);
-                                    if _e523 {
+                                    let _e682 = (_e677 - 1u);
+                                    let _e683 = (_e682 % 128u);
+                                    let _e684 = (_e683 < 128u);
+                                    if _e684 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e525 = local_7[_e522];
-                                    if _e523 {
+                                    let _e686 = local_7[_e683];
+                                    if _e684 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e527 = local_6[_e522];
-                                    if _e523 {
+                                    let _e688 = local_6[_e683];
+                                    if _e684 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e529 = local_5[_e522];
-                                    if _e523 {
+                                    let _e690 = local_5[_e683];
+                                    if _e684 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e531 = local_4[_e522];
-                                    if _e523 {
+                                    let _e692 = local_4[_e683];
+                                    if _e684 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e533 = local_3[_e522];
-                                    if _e523 {
+                                    let _e694 = local_3[_e683];
+                                    if _e684 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e535 = local_2[_e522];
-                                    if _e523 {
+                                    let _e696 = local_2[_e683];
+                                    if _e684 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e540 = local_8[_e522];
-                                    if _e523 {
+                                    let _e701 = local_8[_e683];
+                                    if _e684 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e543 = local_9[_e522];
-                                    phi_958_ = type_49(type_32(vec4<f32>(_e525, _e527, _e529, 0f), vec4<f32>(_e531, _e533, _e535, 0f)), _e540);
-                                    phi_959_ = (_e543 <= _e508.member_1);
-                                    phi_960_ = _e521;
+                                    let _e704 = local_9[_e683];
+                                    phi_1261_ = type_49(type_32(vec4<f32>(_e686, _e688, _e690, 0f), vec4<f32>(_e692, _e694, _e696, 0f)), _e701);
+                                    phi_1262_ = (_e704 <= _e669.member_1);
+                                    phi_1263_ = _e682;
                                 }
-                                let _e547 = phi_958_;
-                                let _e549 = phi_959_;
-                                let _e551 = phi_960_;
-                                if _e549 {
-                                    let _e556 = (_e547.member_1 & 268435455u);
-                                    if ((_e547.member_1 & 2147483648u) != 0u) {
-                                        phi_979_ = _e508;
-                                        phi_982_ = type_8(0u, ((_e547.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e708 = phi_1261_;
+                                let _e710 = phi_1262_;
+                                let _e712 = phi_1263_;
+                                if _e710 {
+                                    let _e717 = (_e708.member_1 & 268435455u);
+                                    if ((_e708.member_1 & 2147483648u) != 0u) {
+                                        phi_1282_ = _e669;
+                                        phi_1285_ = type_8(0u, ((_e708.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1016 = phi_979_;
-                                            let _e1018 = phi_982_;
-                                            local_11 = _e1016;
-                                            if (_e1018.member < _e1018.member_1) {
-                                                phi_983_ = type_8((_e1018.member + 1u), _e1018.member_1);
-                                                phi_1005_ = type_8(1u, _e1018.member);
+                                            let _e1183 = phi_1282_;
+                                            let _e1185 = phi_1285_;
+                                            local_11 = _e1183;
+                                            if (_e1185.member < _e1185.member_1) {
+                                                phi_1286_ = type_8((_e1185.member + 1u), _e1185.member_1);
+                                                phi_1308_ = type_8(1u, _e1185.member);
                                             } else {
-                                                phi_983_ = _e1018;
-                                                phi_1005_ = type_8(0u, type_8().member_1);
+                                                phi_1286_ = _e1185;
+                                                phi_1308_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1031 = phi_983_;
-                                            let _e1033 = phi_1005_;
-                                            let _e1037 = (bitcast<i32>(_e1033.member) != 0i);
-                                            if _e1037 {
-                                                let _e1042 = (_e547.member.member_1.x - _e547.member.member.x);
-                                                let _e1045 = (_e547.member.member_1.y - _e547.member.member.y);
-                                                let _e1048 = (_e547.member.member_1.z - _e547.member.member.z);
-                                                let _e1050 = select(_e1045, _e1042, (_e1042 > _e1045));
-                                                let _e1052 = select(_e1048, _e1050, (_e1050 > _e1048));
-                                                let _e1054 = (_e1052 < (1024f * _e144));
-                                                if _e1054 {
-                                                    phi_1046_ = 0u;
+                                            let _e1198 = phi_1286_;
+                                            let _e1200 = phi_1308_;
+                                            let _e1204 = (bitcast<i32>(_e1200.member) != 0i);
+                                            if _e1204 {
+                                                let _e1209 = (_e708.member.member_1.x - _e708.member.member.x);
+                                                let _e1212 = (_e708.member.member_1.y - _e708.member.member.y);
+                                                let _e1215 = (_e708.member.member_1.z - _e708.member.member.z);
+                                                let _e1217 = select(_e1212, _e1209, (_e1209 > _e1212));
+                                                let _e1219 = select(_e1215, _e1217, (_e1217 > _e1215));
+                                                let _e1221 = (_e1219 < (1024f * _e150));
+                                                if _e1221 {
+                                                    phi_1349_ = 0u;
                                                 } else {
-                                                    phi_1046_ = select(2u, 1u, (_e1052 < (2097152f * _e144)));
+                                                    phi_1349_ = select(2u, 1u, (_e1219 < (2097152f * _e150)));
                                                 }
-                                                let _e1059 = phi_1046_;
-                                                switch bitcast<i32>(_e1059) {
+                                                let _e1226 = phi_1349_;
+                                                switch bitcast<i32>(_e1226) {
                                                     case 0: {
-                                                        phi_1052_ = 1u;
+                                                        phi_1355_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1052_ = 2u;
+                                                        phi_1355_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1052_ = 3u;
+                                                        phi_1355_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1052_ = u32();
+                                                        phi_1355_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1062 = phi_1052_;
-                                                switch bitcast<i32>(_e1059) {
+                                                let _e1229 = phi_1355_;
+                                                switch bitcast<i32>(_e1226) {
                                                     case 0: {
-                                                        phi_1062_ = 1u;
+                                                        phi_1365_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1062_ = 2u;
+                                                        phi_1365_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1062_ = 3u;
+                                                        phi_1365_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1062_ = u32();
+                                                        phi_1365_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1069 = phi_1062_;
-                                                let _e1071 = ((_e556 + (_e1033.member_1 * ((3u * _e1062) + 1u))) + (3u * _e1069));
-                                                let _e1072 = (_e1071 < _e96);
-                                                if _e1072 {
-                                                    if _e1072 {
+                                                let _e1236 = phi_1365_;
+                                                let _e1238 = ((_e717 + (_e1200.member_1 * ((3u * _e1229) + 1u))) + (3u * _e1236));
+                                                let _e1239 = (_e1238 < _e102);
+                                                if _e1239 {
+                                                    if _e1239 {
                                                     } else {
-                                                        phi_4076_ = true;
+                                                        phi_4503_ = true;
                                                         break;
                                                     }
-                                                    let _e1074 = global_5.member[_e1071];
-                                                    phi_1078_ = _e1074;
+                                                    let _e1241 = global_5.member[_e1238];
+                                                    phi_1381_ = _e1241;
                                                 } else {
-                                                    phi_1078_ = 4294967295u;
+                                                    phi_1381_ = 4294967295u;
                                                 }
-                                                let _e1076 = phi_1078_;
-                                                if _e1054 {
-                                                    phi_1111_ = 0u;
+                                                let _e1243 = phi_1381_;
+                                                if _e1221 {
+                                                    phi_1414_ = 0u;
                                                 } else {
-                                                    phi_1111_ = select(2u, 1u, (_e1052 < (2097152f * _e144)));
+                                                    phi_1414_ = select(2u, 1u, (_e1219 < (2097152f * _e150)));
                                                 }
-                                                let _e1081 = phi_1111_;
-                                                switch bitcast<i32>(_e1081) {
+                                                let _e1248 = phi_1414_;
+                                                switch bitcast<i32>(_e1248) {
                                                     case 0: {
-                                                        phi_1117_ = 1u;
+                                                        phi_1420_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1117_ = 2u;
+                                                        phi_1420_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1117_ = 3u;
+                                                        phi_1420_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1117_ = u32();
+                                                        phi_1420_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1084 = phi_1117_;
-                                                let _e1088 = (_e556 + (_e1033.member_1 * ((3u * _e1084) + 1u)));
-                                                switch bitcast<i32>(_e1081) {
+                                                let _e1251 = phi_1420_;
+                                                let _e1255 = (_e717 + (_e1200.member_1 * ((3u * _e1251) + 1u)));
+                                                switch bitcast<i32>(_e1248) {
                                                     case 0: {
-                                                        let _e1354 = (_e1088 < _e96);
-                                                        if _e1354 {
-                                                            if _e1354 {
+                                                        let _e1530 = (_e1255 < _e102);
+                                                        if _e1530 {
+                                                            if _e1530 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1356 = global_5.member[_e1088];
-                                                            phi_1141_ = _e1356;
+                                                            let _e1532 = global_5.member[_e1255];
+                                                            phi_1444_ = _e1532;
                                                         } else {
-                                                            phi_1141_ = 0u;
+                                                            phi_1444_ = 0u;
                                                         }
-                                                        let _e1358 = phi_1141_;
-                                                        let _e1360 = ((10u * _e264) & 31u);
-                                                        let _e1369 = ((10u * _e263) & 31u);
-                                                        let _e1378 = ((10u * _e265) & 31u);
-                                                        let _e1387 = (_e1088 + 1u);
-                                                        let _e1388 = (_e1387 < _e96);
-                                                        if _e1388 {
-                                                            if _e1388 {
+                                                        let _e1534 = phi_1444_;
+                                                        let _e1536 = ((10u * _e270) & 31u);
+                                                        let _e1546 = ((10u * _e269) & 31u);
+                                                        let _e1556 = ((10u * _e271) & 31u);
+                                                        let _e1566 = (_e1255 + 1u);
+                                                        let _e1567 = (_e1566 < _e102);
+                                                        if _e1567 {
+                                                            if _e1567 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1390 = global_5.member[_e1387];
-                                                            phi_1184_ = _e1390;
+                                                            let _e1569 = global_5.member[_e1566];
+                                                            phi_1490_ = _e1569;
                                                         } else {
-                                                            phi_1184_ = 0u;
+                                                            phi_1490_ = 0u;
                                                         }
-                                                        let _e1392 = phi_1184_;
-                                                        let _e1415 = (_e1088 + 2u);
-                                                        let _e1416 = (_e1415 < _e96);
-                                                        if _e1416 {
-                                                            if _e1416 {
+                                                        let _e1571 = phi_1490_;
+                                                        let _e1597 = (_e1255 + 2u);
+                                                        let _e1598 = (_e1597 < _e102);
+                                                        if _e1598 {
+                                                            if _e1598 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1418 = global_5.member[_e1415];
-                                                            phi_1227_ = _e1418;
+                                                            let _e1600 = global_5.member[_e1597];
+                                                            phi_1536_ = _e1600;
                                                         } else {
-                                                            phi_1227_ = 0u;
+                                                            phi_1536_ = 0u;
                                                         }
-                                                        let _e1420 = phi_1227_;
-                                                        phi_1698_ = array<array<f32, 3>, 3>(array<f32, 3>((_e547.member.member.x + (f32(bitcast<i32>(((_e1358 >> bitcast<u32>(_e1360)) & 1023u))) * _e144)), (_e547.member.member.y + (f32(bitcast<i32>(((_e1358 >> bitcast<u32>(_e1369)) & 1023u))) * _e144)), (_e547.member.member.z + (f32(bitcast<i32>(((_e1358 >> bitcast<u32>(_e1378)) & 1023u))) * _e144))), array<f32, 3>((_e547.member.member.x + (f32(bitcast<i32>(((_e1392 >> bitcast<u32>(_e1360)) & 1023u))) * _e144)), (_e547.member.member.y + (f32(bitcast<i32>(((_e1392 >> bitcast<u32>(_e1369)) & 1023u))) * _e144)), (_e547.member.member.z + (f32(bitcast<i32>(((_e1392 >> bitcast<u32>(_e1378)) & 1023u))) * _e144))), array<f32, 3>((_e547.member.member.x + (f32(bitcast<i32>(((_e1420 >> bitcast<u32>(_e1360)) & 1023u))) * _e144)), (_e547.member.member.y + (f32(bitcast<i32>(((_e1420 >> bitcast<u32>(_e1369)) & 1023u))) * _e144)), (_e547.member.member.z + (f32(bitcast<i32>(((_e1420 >> bitcast<u32>(_e1378)) & 1023u))) * _e144))));
+                                                        let _e1602 = phi_1536_;
+                                                        phi_2019_ = array<array<f32, 3>, 3>(array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1534 >> bitcast<u32>(_e1536)) & 1023u))) - 8388608f) * _e150)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1534 >> bitcast<u32>(_e1546)) & 1023u))) - 8388608f) * _e150)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1534 >> bitcast<u32>(_e1556)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1571 >> bitcast<u32>(_e1536)) & 1023u))) - 8388608f) * _e150)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1571 >> bitcast<u32>(_e1546)) & 1023u))) - 8388608f) * _e150)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1571 >> bitcast<u32>(_e1556)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1602 >> bitcast<u32>(_e1536)) & 1023u))) - 8388608f) * _e150)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1602 >> bitcast<u32>(_e1546)) & 1023u))) - 8388608f) * _e150)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1602 >> bitcast<u32>(_e1556)) & 1023u))) - 8388608f) * _e150))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1177 = (_e1088 < _e96);
-                                                        if _e1177 {
-                                                            if _e1177 {
+                                                        let _e1344 = (_e1255 < _e102);
+                                                        if _e1344 {
+                                                            if _e1344 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1179 = global_5.member[_e1088];
-                                                            phi_1270_ = _e1179;
+                                                            let _e1346 = global_5.member[_e1255];
+                                                            phi_1582_ = _e1346;
                                                         } else {
-                                                            phi_1270_ = 0u;
+                                                            phi_1582_ = 0u;
                                                         }
-                                                        let _e1181 = phi_1270_;
-                                                        let _e1182 = (_e1088 + 1u);
-                                                        let _e1183 = (_e1182 < _e96);
-                                                        if _e1183 {
-                                                            if _e1183 {
+                                                        let _e1348 = phi_1582_;
+                                                        let _e1349 = (_e1255 + 1u);
+                                                        let _e1350 = (_e1349 < _e102);
+                                                        if _e1350 {
+                                                            if _e1350 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1185 = global_5.member[_e1182];
-                                                            phi_1285_ = _e1185;
+                                                            let _e1352 = global_5.member[_e1349];
+                                                            phi_1597_ = _e1352;
                                                         } else {
-                                                            phi_1285_ = 0u;
+                                                            phi_1597_ = 0u;
                                                         }
-                                                        let _e1187 = phi_1285_;
-                                                        let _e1188 = (_e264 == 1u);
-                                                        if _e1188 {
-                                                            phi_1295_ = ((_e1181 >> bitcast<u32>(21i)) | (_e1187 << bitcast<u32>(11i)));
+                                                        let _e1354 = phi_1597_;
+                                                        let _e1355 = (_e270 == 1u);
+                                                        if _e1355 {
+                                                            phi_1607_ = ((_e1348 >> bitcast<u32>(21i)) | (_e1354 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1295_ = (_e1187 >> bitcast<u32>(10i));
+                                                            phi_1607_ = (_e1354 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1197 = phi_1295_;
-                                                        let _e1204 = (_e263 == 1u);
-                                                        if _e1204 {
-                                                            phi_1315_ = ((_e1181 >> bitcast<u32>(21i)) | (_e1187 << bitcast<u32>(11i)));
+                                                        let _e1364 = phi_1607_;
+                                                        let _e1372 = (_e269 == 1u);
+                                                        if _e1372 {
+                                                            phi_1628_ = ((_e1348 >> bitcast<u32>(21i)) | (_e1354 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1315_ = (_e1187 >> bitcast<u32>(10i));
+                                                            phi_1628_ = (_e1354 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1213 = phi_1315_;
-                                                        let _e1220 = (_e265 == 1u);
-                                                        if _e1220 {
-                                                            phi_1335_ = ((_e1181 >> bitcast<u32>(21i)) | (_e1187 << bitcast<u32>(11i)));
+                                                        let _e1381 = phi_1628_;
+                                                        let _e1389 = (_e271 == 1u);
+                                                        if _e1389 {
+                                                            phi_1649_ = ((_e1348 >> bitcast<u32>(21i)) | (_e1354 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1335_ = (_e1187 >> bitcast<u32>(10i));
+                                                            phi_1649_ = (_e1354 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1229 = phi_1335_;
-                                                        let _e1237 = (_e1088 + 2u);
-                                                        let _e1238 = (_e1237 < _e96);
-                                                        if _e1238 {
-                                                            if _e1238 {
+                                                        let _e1398 = phi_1649_;
+                                                        let _e1407 = (_e1255 + 2u);
+                                                        let _e1408 = (_e1407 < _e102);
+                                                        if _e1408 {
+                                                            if _e1408 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1240 = global_5.member[_e1237];
-                                                            phi_1361_ = _e1240;
+                                                            let _e1410 = global_5.member[_e1407];
+                                                            phi_1676_ = _e1410;
                                                         } else {
-                                                            phi_1361_ = 0u;
+                                                            phi_1676_ = 0u;
                                                         }
-                                                        let _e1242 = phi_1361_;
-                                                        let _e1243 = (_e1088 + 3u);
-                                                        let _e1244 = (_e1243 < _e96);
-                                                        if _e1244 {
-                                                            if _e1244 {
+                                                        let _e1412 = phi_1676_;
+                                                        let _e1413 = (_e1255 + 3u);
+                                                        let _e1414 = (_e1413 < _e102);
+                                                        if _e1414 {
+                                                            if _e1414 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1246 = global_5.member[_e1243];
-                                                            phi_1376_ = _e1246;
+                                                            let _e1416 = global_5.member[_e1413];
+                                                            phi_1691_ = _e1416;
                                                         } else {
-                                                            phi_1376_ = 0u;
+                                                            phi_1691_ = 0u;
                                                         }
-                                                        let _e1248 = phi_1376_;
-                                                        if _e1188 {
-                                                            phi_1386_ = ((_e1242 >> bitcast<u32>(21i)) | (_e1248 << bitcast<u32>(11i)));
+                                                        let _e1418 = phi_1691_;
+                                                        if _e1355 {
+                                                            phi_1701_ = ((_e1412 >> bitcast<u32>(21i)) | (_e1418 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1386_ = (_e1248 >> bitcast<u32>(10i));
+                                                            phi_1701_ = (_e1418 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1257 = phi_1386_;
-                                                        if _e1204 {
-                                                            phi_1406_ = ((_e1242 >> bitcast<u32>(21i)) | (_e1248 << bitcast<u32>(11i)));
+                                                        let _e1427 = phi_1701_;
+                                                        if _e1372 {
+                                                            phi_1722_ = ((_e1412 >> bitcast<u32>(21i)) | (_e1418 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1406_ = (_e1248 >> bitcast<u32>(10i));
+                                                            phi_1722_ = (_e1418 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1272 = phi_1406_;
-                                                        if _e1220 {
-                                                            phi_1426_ = ((_e1242 >> bitcast<u32>(21i)) | (_e1248 << bitcast<u32>(11i)));
+                                                        let _e1443 = phi_1722_;
+                                                        if _e1389 {
+                                                            phi_1743_ = ((_e1412 >> bitcast<u32>(21i)) | (_e1418 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1426_ = (_e1248 >> bitcast<u32>(10i));
+                                                            phi_1743_ = (_e1418 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1287 = phi_1426_;
-                                                        let _e1295 = (_e1088 + 4u);
-                                                        let _e1296 = (_e1295 < _e96);
+                                                        let _e1459 = phi_1743_;
+                                                        let _e1468 = (_e1255 + 4u);
+                                                        let _e1469 = (_e1468 < _e102);
+                                                        if _e1469 {
+                                                            if _e1469 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1471 = global_5.member[_e1468];
+                                                            phi_1770_ = _e1471;
+                                                        } else {
+                                                            phi_1770_ = 0u;
+                                                        }
+                                                        let _e1473 = phi_1770_;
+                                                        let _e1474 = (_e1255 + 5u);
+                                                        let _e1475 = (_e1474 < _e102);
+                                                        if _e1475 {
+                                                            if _e1475 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1477 = global_5.member[_e1474];
+                                                            phi_1785_ = _e1477;
+                                                        } else {
+                                                            phi_1785_ = 0u;
+                                                        }
+                                                        let _e1479 = phi_1785_;
+                                                        if _e1355 {
+                                                            phi_1795_ = ((_e1473 >> bitcast<u32>(21i)) | (_e1479 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1795_ = (_e1479 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1488 = phi_1795_;
+                                                        if _e1372 {
+                                                            phi_1816_ = ((_e1473 >> bitcast<u32>(21i)) | (_e1479 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1816_ = (_e1479 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1504 = phi_1816_;
+                                                        if _e1389 {
+                                                            phi_1837_ = ((_e1473 >> bitcast<u32>(21i)) | (_e1479 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1837_ = (_e1479 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1520 = phi_1837_;
+                                                        phi_2019_ = array<array<f32, 3>, 3>(array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1364, _e1348, _e309) & 2097151u))) - 8388608f) * _e150)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1381, _e1348, _e378) & 2097151u))) - 8388608f) * _e150)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1398, _e1348, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1427, _e1412, _e309) & 2097151u))) - 8388608f) * _e150)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1443, _e1412, _e378) & 2097151u))) - 8388608f) * _e150)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1459, _e1412, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1488, _e1473, _e309) & 2097151u))) - 8388608f) * _e150)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1504, _e1473, _e378) & 2097151u))) - 8388608f) * _e150)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1520, _e1473, _e446) & 2097151u))) - 8388608f) * _e150))));
+                                                        break;
+                                                    }
+                                                    case 2: {
+                                                        let _e1257 = (_e1255 + _e270);
+                                                        let _e1258 = (_e1257 < _e102);
+                                                        if _e1258 {
+                                                            if _e1258 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1260 = global_5.member[_e1257];
+                                                            phi_1865_ = _e1260;
+                                                        } else {
+                                                            phi_1865_ = 0u;
+                                                        }
+                                                        let _e1262 = phi_1865_;
+                                                        let _e1266 = (_e1255 + _e269);
+                                                        let _e1267 = (_e1266 < _e102);
+                                                        if _e1267 {
+                                                            if _e1267 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1269 = global_5.member[_e1266];
+                                                            phi_1883_ = _e1269;
+                                                        } else {
+                                                            phi_1883_ = 0u;
+                                                        }
+                                                        let _e1271 = phi_1883_;
+                                                        let _e1275 = (_e1255 + _e271);
+                                                        let _e1276 = (_e1275 < _e102);
+                                                        if _e1276 {
+                                                            if _e1276 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1278 = global_5.member[_e1275];
+                                                            phi_1901_ = _e1278;
+                                                        } else {
+                                                            phi_1901_ = 0u;
+                                                        }
+                                                        let _e1280 = phi_1901_;
+                                                        let _e1285 = (_e1255 + 3u);
+                                                        let _e1286 = (_e1285 + _e270);
+                                                        let _e1287 = (_e1286 < _e102);
+                                                        if _e1287 {
+                                                            if _e1287 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1289 = global_5.member[_e1286];
+                                                            phi_1921_ = _e1289;
+                                                        } else {
+                                                            phi_1921_ = 0u;
+                                                        }
+                                                        let _e1291 = phi_1921_;
+                                                        let _e1295 = (_e1285 + _e269);
+                                                        let _e1296 = (_e1295 < _e102);
                                                         if _e1296 {
                                                             if _e1296 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
                                                             let _e1298 = global_5.member[_e1295];
-                                                            phi_1452_ = _e1298;
+                                                            phi_1939_ = _e1298;
                                                         } else {
-                                                            phi_1452_ = 0u;
+                                                            phi_1939_ = 0u;
                                                         }
-                                                        let _e1300 = phi_1452_;
-                                                        let _e1301 = (_e1088 + 5u);
-                                                        let _e1302 = (_e1301 < _e96);
-                                                        if _e1302 {
-                                                            if _e1302 {
+                                                        let _e1300 = phi_1939_;
+                                                        let _e1304 = (_e1285 + _e271);
+                                                        let _e1305 = (_e1304 < _e102);
+                                                        if _e1305 {
+                                                            if _e1305 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1304 = global_5.member[_e1301];
-                                                            phi_1467_ = _e1304;
+                                                            let _e1307 = global_5.member[_e1304];
+                                                            phi_1957_ = _e1307;
                                                         } else {
-                                                            phi_1467_ = 0u;
+                                                            phi_1957_ = 0u;
                                                         }
-                                                        let _e1306 = phi_1467_;
-                                                        if _e1188 {
-                                                            phi_1477_ = ((_e1300 >> bitcast<u32>(21i)) | (_e1306 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1477_ = (_e1306 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1315 = phi_1477_;
-                                                        if _e1204 {
-                                                            phi_1497_ = ((_e1300 >> bitcast<u32>(21i)) | (_e1306 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1497_ = (_e1306 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1330 = phi_1497_;
-                                                        if _e1220 {
-                                                            phi_1517_ = ((_e1300 >> bitcast<u32>(21i)) | (_e1306 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1517_ = (_e1306 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1345 = phi_1517_;
-                                                        phi_1698_ = array<array<f32, 3>, 3>(array<f32, 3>((_e547.member.member.x + (f32(bitcast<i32>((select(_e1197, _e1181, _e303) & 2097151u))) * _e144)), (_e547.member.member.y + (f32(bitcast<i32>((select(_e1213, _e1181, _e342) & 2097151u))) * _e144)), (_e547.member.member.z + (f32(bitcast<i32>((select(_e1229, _e1181, _e380) & 2097151u))) * _e144))), array<f32, 3>((_e547.member.member.x + (f32(bitcast<i32>((select(_e1257, _e1242, _e303) & 2097151u))) * _e144)), (_e547.member.member.y + (f32(bitcast<i32>((select(_e1272, _e1242, _e342) & 2097151u))) * _e144)), (_e547.member.member.z + (f32(bitcast<i32>((select(_e1287, _e1242, _e380) & 2097151u))) * _e144))), array<f32, 3>((_e547.member.member.x + (f32(bitcast<i32>((select(_e1315, _e1300, _e303) & 2097151u))) * _e144)), (_e547.member.member.y + (f32(bitcast<i32>((select(_e1330, _e1300, _e342) & 2097151u))) * _e144)), (_e547.member.member.z + (f32(bitcast<i32>((select(_e1345, _e1300, _e380) & 2097151u))) * _e144))));
-                                                        break;
-                                                    }
-                                                    case 2: {
-                                                        let _e1090 = (_e1088 + _e264);
-                                                        let _e1091 = (_e1090 < _e96);
-                                                        if _e1091 {
-                                                            if _e1091 {
+                                                        let _e1309 = phi_1957_;
+                                                        let _e1314 = (_e1255 + 6u);
+                                                        let _e1315 = (_e1314 + _e270);
+                                                        let _e1316 = (_e1315 < _e102);
+                                                        if _e1316 {
+                                                            if _e1316 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1093 = global_5.member[_e1090];
-                                                            phi_1544_ = _e1093;
+                                                            let _e1318 = global_5.member[_e1315];
+                                                            phi_1977_ = _e1318;
                                                         } else {
-                                                            phi_1544_ = 0u;
+                                                            phi_1977_ = 0u;
                                                         }
-                                                        let _e1095 = phi_1544_;
-                                                        let _e1099 = (_e1088 + _e263);
-                                                        let _e1100 = (_e1099 < _e96);
-                                                        if _e1100 {
-                                                            if _e1100 {
+                                                        let _e1320 = phi_1977_;
+                                                        let _e1324 = (_e1314 + _e269);
+                                                        let _e1325 = (_e1324 < _e102);
+                                                        if _e1325 {
+                                                            if _e1325 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1102 = global_5.member[_e1099];
-                                                            phi_1562_ = _e1102;
+                                                            let _e1327 = global_5.member[_e1324];
+                                                            phi_1995_ = _e1327;
                                                         } else {
-                                                            phi_1562_ = 0u;
+                                                            phi_1995_ = 0u;
                                                         }
-                                                        let _e1104 = phi_1562_;
-                                                        let _e1108 = (_e1088 + _e265);
-                                                        let _e1109 = (_e1108 < _e96);
-                                                        if _e1109 {
-                                                            if _e1109 {
+                                                        let _e1329 = phi_1995_;
+                                                        let _e1333 = (_e1314 + _e271);
+                                                        let _e1334 = (_e1333 < _e102);
+                                                        if _e1334 {
+                                                            if _e1334 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1111 = global_5.member[_e1108];
-                                                            phi_1580_ = _e1111;
+                                                            let _e1336 = global_5.member[_e1333];
+                                                            phi_2013_ = _e1336;
                                                         } else {
-                                                            phi_1580_ = 0u;
+                                                            phi_2013_ = 0u;
                                                         }
-                                                        let _e1113 = phi_1580_;
-                                                        let _e1118 = (_e1088 + 3u);
-                                                        let _e1119 = (_e1118 + _e264);
-                                                        let _e1120 = (_e1119 < _e96);
-                                                        if _e1120 {
-                                                            if _e1120 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1122 = global_5.member[_e1119];
-                                                            phi_1600_ = _e1122;
-                                                        } else {
-                                                            phi_1600_ = 0u;
-                                                        }
-                                                        let _e1124 = phi_1600_;
-                                                        let _e1128 = (_e1118 + _e263);
-                                                        let _e1129 = (_e1128 < _e96);
-                                                        if _e1129 {
-                                                            if _e1129 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1131 = global_5.member[_e1128];
-                                                            phi_1618_ = _e1131;
-                                                        } else {
-                                                            phi_1618_ = 0u;
-                                                        }
-                                                        let _e1133 = phi_1618_;
-                                                        let _e1137 = (_e1118 + _e265);
-                                                        let _e1138 = (_e1137 < _e96);
-                                                        if _e1138 {
-                                                            if _e1138 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1140 = global_5.member[_e1137];
-                                                            phi_1636_ = _e1140;
-                                                        } else {
-                                                            phi_1636_ = 0u;
-                                                        }
-                                                        let _e1142 = phi_1636_;
-                                                        let _e1147 = (_e1088 + 6u);
-                                                        let _e1148 = (_e1147 + _e264);
-                                                        let _e1149 = (_e1148 < _e96);
-                                                        if _e1149 {
-                                                            if _e1149 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1151 = global_5.member[_e1148];
-                                                            phi_1656_ = _e1151;
-                                                        } else {
-                                                            phi_1656_ = 0u;
-                                                        }
-                                                        let _e1153 = phi_1656_;
-                                                        let _e1157 = (_e1147 + _e263);
-                                                        let _e1158 = (_e1157 < _e96);
-                                                        if _e1158 {
-                                                            if _e1158 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1160 = global_5.member[_e1157];
-                                                            phi_1674_ = _e1160;
-                                                        } else {
-                                                            phi_1674_ = 0u;
-                                                        }
-                                                        let _e1162 = phi_1674_;
-                                                        let _e1166 = (_e1147 + _e265);
-                                                        let _e1167 = (_e1166 < _e96);
-                                                        if _e1167 {
-                                                            if _e1167 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1169 = global_5.member[_e1166];
-                                                            phi_1692_ = _e1169;
-                                                        } else {
-                                                            phi_1692_ = 0u;
-                                                        }
-                                                        let _e1171 = phi_1692_;
-                                                        phi_1698_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1095)) * _e144), (f32(bitcast<i32>(_e1104)) * _e144), (f32(bitcast<i32>(_e1113)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1124)) * _e144), (f32(bitcast<i32>(_e1133)) * _e144), (f32(bitcast<i32>(_e1142)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1153)) * _e144), (f32(bitcast<i32>(_e1162)) * _e144), (f32(bitcast<i32>(_e1171)) * _e144)));
+                                                        let _e1338 = phi_2013_;
+                                                        phi_2019_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1262)) * _e150), (f32(bitcast<i32>(_e1271)) * _e150), (f32(bitcast<i32>(_e1280)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e1291)) * _e150), (f32(bitcast<i32>(_e1300)) * _e150), (f32(bitcast<i32>(_e1309)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e1320)) * _e150), (f32(bitcast<i32>(_e1329)) * _e150), (f32(bitcast<i32>(_e1338)) * _e150)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1698_ = array<array<f32, 3>, 3>();
+                                                        phi_2019_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1445 = phi_1698_;
-                                                let _e1453 = (_e1445[0][2] - _e390);
-                                                let _e1456 = (((_e1445[0][0] - _e313) * _e414) - (_e1453 * _e338));
-                                                let _e1459 = (((_e1445[0][1] - _e352) * _e414) - (_e1453 * _e376));
-                                                let _e1466 = (_e1445[1][2] - _e390);
-                                                let _e1469 = (((_e1445[1][0] - _e313) * _e414) - (_e1466 * _e338));
-                                                let _e1472 = (((_e1445[1][1] - _e352) * _e414) - (_e1466 * _e376));
-                                                let _e1479 = (_e1445[2][2] - _e390);
-                                                let _e1482 = (((_e1445[2][0] - _e313) * _e414) - (_e1479 * _e338));
-                                                let _e1485 = (((_e1445[2][1] - _e352) * _e414) - (_e1479 * _e376));
-                                                let _e1486 = (_e1482 * _e1472);
-                                                let _e1487 = (_e1485 * _e1469);
-                                                let _e1488 = (_e1456 * _e1485);
-                                                let _e1489 = (_e1459 * _e1482);
-                                                let _e1490 = (_e1469 * _e1459);
-                                                let _e1491 = (_e1472 * _e1456);
-                                                let _e1496 = (((_e1486 >= _e1487) && (_e1488 >= _e1489)) && (_e1490 >= _e1491));
-                                                if (_e1496 || (((_e1486 <= _e1487) && (_e1488 <= _e1489)) && (_e1490 <= _e1491))) {
-                                                    let _e1503 = select(-1f, 1f, _e1496);
-                                                    let _e1505 = ((_e1486 - _e1487) * _e1503);
-                                                    let _e1507 = select(0f, _e1505, (_e1505 > 0f));
-                                                    let _e1509 = ((_e1488 - _e1489) * _e1503);
-                                                    let _e1511 = select(0f, _e1509, (_e1509 > 0f));
-                                                    let _e1513 = ((_e1490 - _e1491) * _e1503);
-                                                    let _e1515 = select(0f, _e1513, (_e1513 > 0f));
-                                                    let _e1517 = ((_e1507 + _e1511) + _e1515);
-                                                    if (_e1517 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2523_ = type_24();
-                                                        phi_2524_ = true;
-                                                        phi_2525_ = false;
+                                                let _e1630 = phi_2019_;
+                                                let _e1638 = (_e1630[0][2] - _e471);
+                                                let _e1641 = (((_e1630[0][0] - _e334) * _e510) - (_e1638 * _e374));
+                                                let _e1644 = (((_e1630[0][1] - _e403) * _e510) - (_e1638 * _e442));
+                                                let _e1651 = (_e1630[1][2] - _e471);
+                                                let _e1654 = (((_e1630[1][0] - _e334) * _e510) - (_e1651 * _e374));
+                                                let _e1657 = (((_e1630[1][1] - _e403) * _e510) - (_e1651 * _e442));
+                                                let _e1664 = (_e1630[2][2] - _e471);
+                                                let _e1667 = (((_e1630[2][0] - _e334) * _e510) - (_e1664 * _e374));
+                                                let _e1670 = (((_e1630[2][1] - _e403) * _e510) - (_e1664 * _e442));
+                                                let _e1671 = (_e1667 * _e1657);
+                                                let _e1672 = (_e1670 * _e1654);
+                                                let _e1673 = (_e1641 * _e1670);
+                                                let _e1674 = (_e1644 * _e1667);
+                                                let _e1675 = (_e1654 * _e1644);
+                                                let _e1676 = (_e1657 * _e1641);
+                                                let _e1681 = (((_e1671 >= _e1672) && (_e1673 >= _e1674)) && (_e1675 >= _e1676));
+                                                if (_e1681 || (((_e1671 <= _e1672) && (_e1673 <= _e1674)) && (_e1675 <= _e1676))) {
+                                                    let _e1688 = select(-1f, 1f, _e1681);
+                                                    let _e1690 = ((_e1671 - _e1672) * _e1688);
+                                                    let _e1692 = select(0f, _e1690, (_e1690 > 0f));
+                                                    let _e1694 = ((_e1673 - _e1674) * _e1688);
+                                                    let _e1696 = select(0f, _e1694, (_e1694 > 0f));
+                                                    let _e1698 = ((_e1675 - _e1676) * _e1688);
+                                                    let _e1700 = select(0f, _e1698, (_e1698 > 0f));
+                                                    let _e1702 = ((_e1692 + _e1696) + _e1700);
+                                                    if (_e1702 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2844_ = type_24();
+                                                        phi_2845_ = true;
+                                                        phi_2846_ = false;
                                                     } else {
-                                                        let _e1520 = select(_e1469, _e1456, (_e1456 < _e1469));
-                                                        if (select(_e1482, _e1520, (_e1520 < _e1482)) > 0f) {
-                                                            phi_1815_ = true;
+                                                        let _e1705 = select(_e1654, _e1641, (_e1641 < _e1654));
+                                                        if (select(_e1667, _e1705, (_e1705 < _e1667)) > 0f) {
+                                                            phi_2136_ = true;
                                                         } else {
-                                                            let _e1525 = select(_e1469, _e1456, (_e1456 > _e1469));
-                                                            phi_1815_ = (select(_e1482, _e1525, (_e1525 > _e1482)) < 0f);
+                                                            let _e1710 = select(_e1654, _e1641, (_e1641 > _e1654));
+                                                            phi_2136_ = (select(_e1667, _e1710, (_e1710 > _e1667)) < 0f);
                                                         }
-                                                        let _e1530 = phi_1815_;
-                                                        if _e1530 {
-                                                            phi_2520_ = type_24();
-                                                            phi_2521_ = true;
-                                                            phi_2522_ = false;
+                                                        let _e1715 = phi_2136_;
+                                                        if _e1715 {
+                                                            phi_2841_ = type_24();
+                                                            phi_2842_ = true;
+                                                            phi_2843_ = false;
                                                         } else {
-                                                            let _e1532 = select(_e1472, _e1459, (_e1459 < _e1472));
-                                                            if (select(_e1485, _e1532, (_e1532 < _e1485)) > 0f) {
-                                                                phi_1844_ = true;
+                                                            let _e1717 = select(_e1657, _e1644, (_e1644 < _e1657));
+                                                            if (select(_e1670, _e1717, (_e1717 < _e1670)) > 0f) {
+                                                                phi_2165_ = true;
                                                             } else {
-                                                                let _e1537 = select(_e1472, _e1459, (_e1459 > _e1472));
-                                                                phi_1844_ = (select(_e1485, _e1537, (_e1537 > _e1485)) < 0f);
+                                                                let _e1722 = select(_e1657, _e1644, (_e1644 > _e1657));
+                                                                phi_2165_ = (select(_e1670, _e1722, (_e1722 > _e1670)) < 0f);
                                                             }
-                                                            let _e1542 = phi_1844_;
-                                                            if _e1542 {
-                                                                phi_2518_ = type_24();
-                                                                phi_2519_ = false;
+                                                            let _e1727 = phi_2165_;
+                                                            if _e1727 {
+                                                                phi_2839_ = type_24();
+                                                                phi_2840_ = false;
                                                             } else {
-                                                                let _e1544 = select(_e1445[1][0], _e1445[0][0], (_e1445[0][0] < _e1445[1][0]));
-                                                                let _e1548 = select(_e1445[1][0], _e1445[0][0], (_e1445[0][0] > _e1445[1][0]));
-                                                                let _e1552 = select(_e1445[1][1], _e1445[0][1], (_e1445[0][1] < _e1445[1][1]));
-                                                                let _e1556 = select(_e1445[1][1], _e1445[0][1], (_e1445[0][1] > _e1445[1][1]));
-                                                                let _e1560 = select(_e1445[1][2], _e1445[0][2], (_e1445[0][2] < _e1445[1][2]));
-                                                                let _e1564 = select(_e1445[1][2], _e1445[0][2], (_e1445[0][2] > _e1445[1][2]));
-                                                                let _e1569 = ((select(_e1445[2][0], _e1544, (_e1544 < _e1445[2][0])) - _e336) * _e341);
-                                                                let _e1570 = ((select(_e1445[2][0], _e1548, (_e1548 > _e1445[2][0])) - _e337) * _e341);
-                                                                let _e1573 = ((select(_e1445[2][1], _e1552, (_e1552 < _e1445[2][1])) - _e374) * _e379);
-                                                                let _e1574 = ((select(_e1445[2][1], _e1556, (_e1556 > _e1445[2][1])) - _e375) * _e379);
-                                                                let _e1577 = ((select(_e1445[2][2], _e1560, (_e1560 < _e1445[2][2])) - _e412) * _e417);
-                                                                let _e1578 = ((select(_e1445[2][2], _e1564, (_e1564 > _e1445[2][2])) - _e413) * _e417);
-                                                                let _e1580 = select(_e1578, _e1577, (_e1577 < _e1578));
-                                                                let _e1582 = select(_e1578, _e1577, (_e1577 > _e1578));
-                                                                let _e1584 = select(_e1570, _e1569, (_e1569 < _e1570));
-                                                                let _e1586 = select(_e1574, _e1573, (_e1573 < _e1574));
-                                                                let _e1588 = select(_e1586, _e1584, (_e1584 > _e1586));
-                                                                let _e1590 = select(_e1580, _e1588, (_e1588 > _e1580));
-                                                                let _e1592 = select(_e1570, _e1569, (_e1569 > _e1570));
-                                                                let _e1594 = select(_e1574, _e1573, (_e1573 > _e1574));
-                                                                let _e1596 = select(_e1594, _e1592, (_e1592 < _e1594));
-                                                                let _e1598 = select(_e1582, _e1596, (_e1596 < _e1582));
-                                                                let _e1599 = -(_e1580);
-                                                                let _e1605 = select(_e464, _e1590, (_e1590 > _e464));
-                                                                if (_e1605 > (_e1598 + (select(_e1599, _e1582, (_e1582 > _e1599)) * 0.0000019073523f))) {
-                                                                    phi_2513_ = type_24();
-                                                                    phi_2514_ = true;
+                                                                let _e1729 = select(_e1630[1][0], _e1630[0][0], (_e1630[0][0] < _e1630[1][0]));
+                                                                let _e1733 = select(_e1630[1][0], _e1630[0][0], (_e1630[0][0] > _e1630[1][0]));
+                                                                let _e1737 = select(_e1630[1][1], _e1630[0][1], (_e1630[0][1] < _e1630[1][1]));
+                                                                let _e1741 = select(_e1630[1][1], _e1630[0][1], (_e1630[0][1] > _e1630[1][1]));
+                                                                let _e1745 = select(_e1630[1][2], _e1630[0][2], (_e1630[0][2] < _e1630[1][2]));
+                                                                let _e1749 = select(_e1630[1][2], _e1630[0][2], (_e1630[0][2] > _e1630[1][2]));
+                                                                let _e1754 = ((select(_e1630[2][0], _e1729, (_e1729 < _e1630[2][0])) - _e372) * _e377);
+                                                                let _e1755 = ((select(_e1630[2][0], _e1733, (_e1733 > _e1630[2][0])) - _e373) * _e377);
+                                                                let _e1758 = ((select(_e1630[2][1], _e1737, (_e1737 < _e1630[2][1])) - _e440) * _e445);
+                                                                let _e1759 = ((select(_e1630[2][1], _e1741, (_e1741 > _e1630[2][1])) - _e441) * _e445);
+                                                                let _e1762 = ((select(_e1630[2][2], _e1745, (_e1745 < _e1630[2][2])) - _e508) * _e513);
+                                                                let _e1763 = ((select(_e1630[2][2], _e1749, (_e1749 > _e1630[2][2])) - _e509) * _e513);
+                                                                let _e1765 = select(_e1763, _e1762, (_e1762 < _e1763));
+                                                                let _e1767 = select(_e1763, _e1762, (_e1762 > _e1763));
+                                                                let _e1769 = select(_e1755, _e1754, (_e1754 < _e1755));
+                                                                let _e1771 = select(_e1759, _e1758, (_e1758 < _e1759));
+                                                                let _e1773 = select(_e1771, _e1769, (_e1769 > _e1771));
+                                                                let _e1775 = select(_e1765, _e1773, (_e1773 > _e1765));
+                                                                let _e1777 = select(_e1755, _e1754, (_e1754 > _e1755));
+                                                                let _e1779 = select(_e1759, _e1758, (_e1758 > _e1759));
+                                                                let _e1781 = select(_e1779, _e1777, (_e1777 < _e1779));
+                                                                let _e1783 = select(_e1767, _e1781, (_e1781 < _e1767));
+                                                                let _e1784 = -(_e1765);
+                                                                let _e1790 = select(_e625, _e1775, (_e1775 > _e625));
+                                                                if (_e1790 > (_e1783 + (select(_e1784, _e1767, (_e1767 > _e1784)) * 0.0000019073523f))) {
+                                                                    phi_2834_ = type_24();
+                                                                    phi_2835_ = true;
                                                                 } else {
-                                                                    let _e1607 = (_e1605 > _e1016.member_1);
-                                                                    if _e1607 {
-                                                                        phi_2512_ = type_24();
+                                                                    let _e1792 = (_e1790 > _e1183.member_1);
+                                                                    if _e1792 {
+                                                                        phi_2833_ = type_24();
                                                                     } else {
-                                                                        let _e1608 = vec3<f32>(_e1445[0][0], _e1445[0][1], _e1445[0][2]);
-                                                                        let _e1609 = vec3<f32>(_e1445[1][0], _e1445[1][1], _e1445[1][2]);
-                                                                        let _e1610 = vec3<f32>(_e1445[2][0], _e1445[2][1], _e1445[2][2]);
-                                                                        let _e1611 = (_e1445[1][0] - _e1445[0][0]);
-                                                                        let _e1612 = (_e1445[1][1] - _e1445[0][1]);
-                                                                        let _e1613 = (_e1445[1][2] - _e1445[0][2]);
-                                                                        let _e1614 = vec3<f32>(_e1611, _e1612, _e1613);
-                                                                        let _e1615 = (_e1445[2][0] - _e1445[1][0]);
-                                                                        let _e1616 = (_e1445[2][1] - _e1445[1][1]);
-                                                                        let _e1617 = (_e1445[2][2] - _e1445[1][2]);
-                                                                        let _e1618 = vec3<f32>(_e1615, _e1616, _e1617);
-                                                                        let _e1619 = (_e1445[0][0] - _e1445[2][0]);
-                                                                        let _e1620 = (_e1445[0][1] - _e1445[2][1]);
-                                                                        let _e1621 = (_e1445[0][2] - _e1445[2][2]);
-                                                                        let _e1622 = vec3<f32>(_e1619, _e1620, _e1621);
-                                                                        let _e1625 = bitcast<f32>((bitcast<u32>(_e1611) & 2147483647u));
-                                                                        let _e1628 = bitcast<f32>((bitcast<u32>(_e1612) & 2147483647u));
-                                                                        let _e1630 = select(_e1628, _e1625, (_e1625 > _e1628));
-                                                                        let _e1633 = bitcast<f32>((bitcast<u32>(_e1613) & 2147483647u));
-                                                                        let _e1635 = select(_e1633, _e1630, (_e1630 > _e1633));
-                                                                        let _e1638 = bitcast<f32>((bitcast<u32>(_e1615) & 2147483647u));
-                                                                        let _e1641 = bitcast<f32>((bitcast<u32>(_e1616) & 2147483647u));
-                                                                        let _e1643 = select(_e1641, _e1638, (_e1638 > _e1641));
-                                                                        let _e1646 = bitcast<f32>((bitcast<u32>(_e1617) & 2147483647u));
-                                                                        let _e1648 = select(_e1646, _e1643, (_e1643 > _e1646));
-                                                                        let _e1651 = bitcast<f32>((bitcast<u32>(_e1619) & 2147483647u));
-                                                                        let _e1654 = bitcast<f32>((bitcast<u32>(_e1620) & 2147483647u));
-                                                                        let _e1656 = select(_e1654, _e1651, (_e1651 > _e1654));
-                                                                        let _e1659 = bitcast<f32>((bitcast<u32>(_e1621) & 2147483647u));
-                                                                        let _e1661 = select(_e1659, _e1656, (_e1656 > _e1659));
-                                                                        let _e1663 = select(_e1648, _e1635, (_e1635 > _e1648));
-                                                                        let _e1665 = select(_e1661, _e1663, (_e1663 > _e1661));
-                                                                        if (_e1635 == _e1665) {
-                                                                            phi_2245_ = _e1472;
-                                                                            phi_2246_ = _e1469;
-                                                                            phi_2247_ = _e1459;
-                                                                            phi_2248_ = _e1456;
-                                                                            phi_2249_ = _e1608;
-                                                                            phi_2250_ = _e1622;
-                                                                            phi_2251_ = _e1618;
-                                                                            phi_2252_ = _e1614;
+                                                                        let _e1793 = vec3<f32>(_e1630[0][0], _e1630[0][1], _e1630[0][2]);
+                                                                        let _e1794 = vec3<f32>(_e1630[1][0], _e1630[1][1], _e1630[1][2]);
+                                                                        let _e1795 = vec3<f32>(_e1630[2][0], _e1630[2][1], _e1630[2][2]);
+                                                                        let _e1796 = (_e1630[1][0] - _e1630[0][0]);
+                                                                        let _e1797 = (_e1630[1][1] - _e1630[0][1]);
+                                                                        let _e1798 = (_e1630[1][2] - _e1630[0][2]);
+                                                                        let _e1799 = vec3<f32>(_e1796, _e1797, _e1798);
+                                                                        let _e1800 = (_e1630[2][0] - _e1630[1][0]);
+                                                                        let _e1801 = (_e1630[2][1] - _e1630[1][1]);
+                                                                        let _e1802 = (_e1630[2][2] - _e1630[1][2]);
+                                                                        let _e1803 = vec3<f32>(_e1800, _e1801, _e1802);
+                                                                        let _e1804 = (_e1630[0][0] - _e1630[2][0]);
+                                                                        let _e1805 = (_e1630[0][1] - _e1630[2][1]);
+                                                                        let _e1806 = (_e1630[0][2] - _e1630[2][2]);
+                                                                        let _e1807 = vec3<f32>(_e1804, _e1805, _e1806);
+                                                                        let _e1810 = bitcast<f32>((bitcast<u32>(_e1796) & 2147483647u));
+                                                                        let _e1813 = bitcast<f32>((bitcast<u32>(_e1797) & 2147483647u));
+                                                                        let _e1815 = select(_e1813, _e1810, (_e1810 > _e1813));
+                                                                        let _e1818 = bitcast<f32>((bitcast<u32>(_e1798) & 2147483647u));
+                                                                        let _e1820 = select(_e1818, _e1815, (_e1815 > _e1818));
+                                                                        let _e1823 = bitcast<f32>((bitcast<u32>(_e1800) & 2147483647u));
+                                                                        let _e1826 = bitcast<f32>((bitcast<u32>(_e1801) & 2147483647u));
+                                                                        let _e1828 = select(_e1826, _e1823, (_e1823 > _e1826));
+                                                                        let _e1831 = bitcast<f32>((bitcast<u32>(_e1802) & 2147483647u));
+                                                                        let _e1833 = select(_e1831, _e1828, (_e1828 > _e1831));
+                                                                        let _e1836 = bitcast<f32>((bitcast<u32>(_e1804) & 2147483647u));
+                                                                        let _e1839 = bitcast<f32>((bitcast<u32>(_e1805) & 2147483647u));
+                                                                        let _e1841 = select(_e1839, _e1836, (_e1836 > _e1839));
+                                                                        let _e1844 = bitcast<f32>((bitcast<u32>(_e1806) & 2147483647u));
+                                                                        let _e1846 = select(_e1844, _e1841, (_e1841 > _e1844));
+                                                                        let _e1848 = select(_e1833, _e1820, (_e1820 > _e1833));
+                                                                        let _e1850 = select(_e1846, _e1848, (_e1848 > _e1846));
+                                                                        if (_e1820 == _e1850) {
+                                                                            phi_2566_ = _e1657;
+                                                                            phi_2567_ = _e1654;
+                                                                            phi_2568_ = _e1644;
+                                                                            phi_2569_ = _e1641;
+                                                                            phi_2570_ = _e1793;
+                                                                            phi_2571_ = _e1807;
+                                                                            phi_2572_ = _e1803;
+                                                                            phi_2573_ = _e1799;
                                                                         } else {
-                                                                            let _e1667 = (_e1648 == _e1665);
-                                                                            let _e1672 = vec3(_e1667);
-                                                                            phi_2245_ = select(_e1459, _e1485, _e1667);
-                                                                            phi_2246_ = select(_e1456, _e1482, _e1667);
-                                                                            phi_2247_ = select(_e1485, _e1472, _e1667);
-                                                                            phi_2248_ = select(_e1482, _e1469, _e1667);
-                                                                            phi_2249_ = select(_e1610, _e1609, _e1672);
-                                                                            phi_2250_ = select(_e1618, _e1614, _e1672);
-                                                                            phi_2251_ = select(_e1614, _e1622, _e1672);
-                                                                            phi_2252_ = select(_e1622, _e1618, _e1672);
+                                                                            let _e1852 = (_e1833 == _e1850);
+                                                                            let _e1857 = vec3(_e1852);
+                                                                            phi_2566_ = select(_e1644, _e1670, _e1852);
+                                                                            phi_2567_ = select(_e1641, _e1667, _e1852);
+                                                                            phi_2568_ = select(_e1670, _e1657, _e1852);
+                                                                            phi_2569_ = select(_e1667, _e1654, _e1852);
+                                                                            phi_2570_ = select(_e1795, _e1794, _e1857);
+                                                                            phi_2571_ = select(_e1803, _e1799, _e1857);
+                                                                            phi_2572_ = select(_e1799, _e1807, _e1857);
+                                                                            phi_2573_ = select(_e1807, _e1803, _e1857);
                                                                         }
-                                                                        let _e1678 = phi_2245_;
-                                                                        let _e1680 = phi_2246_;
-                                                                        let _e1682 = phi_2247_;
-                                                                        let _e1684 = phi_2248_;
-                                                                        let _e1686 = phi_2249_;
-                                                                        let _e1688 = phi_2250_;
-                                                                        let _e1690 = phi_2251_;
-                                                                        let _e1692 = phi_2252_;
-                                                                        let _e1699 = ((_e1690.y * _e1688.z) - (_e1688.y * _e1690.z));
-                                                                        let _e1704 = ((_e1690.z * _e1688.x) - (_e1688.z * _e1690.x));
-                                                                        let _e1707 = ((_e1690.x * _e1688.y) - (_e1688.x * _e1690.y));
-                                                                        if (_e1507 >= _e1511) {
-                                                                            phi_2283_ = select(true, false, (_e1507 >= _e1515));
+                                                                        let _e1863 = phi_2566_;
+                                                                        let _e1865 = phi_2567_;
+                                                                        let _e1867 = phi_2568_;
+                                                                        let _e1869 = phi_2569_;
+                                                                        let _e1871 = phi_2570_;
+                                                                        let _e1873 = phi_2571_;
+                                                                        let _e1875 = phi_2572_;
+                                                                        let _e1877 = phi_2573_;
+                                                                        let _e1884 = ((_e1875.y * _e1873.z) - (_e1873.y * _e1875.z));
+                                                                        let _e1889 = ((_e1875.z * _e1873.x) - (_e1873.z * _e1875.x));
+                                                                        let _e1892 = ((_e1875.x * _e1873.y) - (_e1873.x * _e1875.y));
+                                                                        if (_e1692 >= _e1696) {
+                                                                            phi_2604_ = select(true, false, (_e1692 >= _e1700));
                                                                         } else {
-                                                                            phi_2283_ = true;
+                                                                            phi_2604_ = true;
                                                                         }
-                                                                        let _e1712 = phi_2283_;
-                                                                        if _e1712 {
-                                                                            phi_2292_ = select(_e1610, _e1609, vec3((_e1511 >= _e1515)));
+                                                                        let _e1897 = phi_2604_;
+                                                                        if _e1897 {
+                                                                            phi_2613_ = select(_e1795, _e1794, vec3((_e1696 >= _e1700)));
                                                                         } else {
-                                                                            phi_2292_ = _e1608;
+                                                                            phi_2613_ = _e1793;
                                                                         }
-                                                                        let _e1717 = phi_2292_;
-                                                                        let _e1728 = (((_e1699 * (_e1717.x - _e313)) + (_e1704 * (_e1717.y - _e352))) + (_e1707 * (_e1717.z - _e390)));
-                                                                        let _e1733 = (((_e1699 * _e338) + (_e1704 * _e376)) + (_e1707 * _e414));
-                                                                        let _e1734 = (_e1680 - _e1684);
-                                                                        let _e1735 = (_e1678 - _e1682);
-                                                                        let _e1743 = (-(((_e1684 * _e1734) + (_e1682 * _e1735))) / ((_e1734 * _e1734) + (_e1735 * _e1735)));
-                                                                        let _e1745 = select(1f, _e1743, (_e1743 < 1f));
-                                                                        let _e1747 = select(0f, _e1745, (_e1745 > 0f));
-                                                                        let _e1760 = ((_e1686.x + (_e1692.x * _e1747)) - _e313);
-                                                                        let _e1761 = ((_e1686.y + (_e1692.y * _e1747)) - _e352);
-                                                                        let _e1762 = ((_e1686.z + (_e1692.z * _e1747)) - _e390);
-                                                                        let _e1763 = (_e1762 / _e414);
-                                                                        let _e1775 = bitcast<f32>((bitcast<u32>(_e1760) & 2147483647u));
-                                                                        let _e1778 = bitcast<f32>((bitcast<u32>(_e1761) & 2147483647u));
-                                                                        let _e1780 = select(_e1778, _e1775, (_e1775 > _e1778));
-                                                                        let _e1783 = bitcast<f32>((bitcast<u32>(_e1762) & 2147483647u));
-                                                                        let _e1785 = select(_e1783, _e1780, (_e1780 > _e1783));
-                                                                        let _e1791 = bitcast<f32>((bitcast<u32>(_e1699) & 2147483647u));
-                                                                        let _e1794 = bitcast<f32>((bitcast<u32>(_e1704) & 2147483647u));
-                                                                        let _e1796 = select(_e1794, _e1791, (_e1791 > _e1794));
-                                                                        let _e1799 = bitcast<f32>((bitcast<u32>(_e1707) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1699 * _e1760) + (_e1704 * _e1761)) + (_e1707 * _e1762)) - _e1728)) & 2147483647u)) <= ((0.0000009536743f * select(_e1665, _e1785, (_e1785 > _e1665))) * select(_e1799, _e1796, (_e1796 > _e1799)))) {
-                                                                            let _e1809 = bitcast<f32>((bitcast<u32>(_e1690.x) & 2147483647u));
-                                                                            let _e1812 = bitcast<f32>((bitcast<u32>(_e1690.y) & 2147483647u));
-                                                                            let _e1814 = select(_e1812, _e1809, (_e1809 > _e1812));
-                                                                            let _e1817 = bitcast<f32>((bitcast<u32>(_e1690.z) & 2147483647u));
-                                                                            let _e1823 = bitcast<f32>((bitcast<u32>(_e1688.x) & 2147483647u));
-                                                                            let _e1826 = bitcast<f32>((bitcast<u32>(_e1688.y) & 2147483647u));
-                                                                            let _e1828 = select(_e1826, _e1823, (_e1823 > _e1826));
-                                                                            let _e1831 = bitcast<f32>((bitcast<u32>(_e1688.z) & 2147483647u));
-                                                                            let _e1835 = (bitcast<f32>((bitcast<u32>(_e1733) & 2147483647u)) > ((0.0000038146973f * select(_e1817, _e1814, (_e1814 > _e1817))) * select(_e1831, _e1828, (_e1828 > _e1831))));
-                                                                            if _e1835 {
-                                                                                phi_2457_ = (_e1728 / _e1733);
+                                                                        let _e1902 = phi_2613_;
+                                                                        let _e1913 = (((_e1884 * (_e1902.x - _e334)) + (_e1889 * (_e1902.y - _e403))) + (_e1892 * (_e1902.z - _e471)));
+                                                                        let _e1918 = (((_e1884 * _e374) + (_e1889 * _e442)) + (_e1892 * _e510));
+                                                                        let _e1919 = (_e1865 - _e1869);
+                                                                        let _e1920 = (_e1863 - _e1867);
+                                                                        let _e1928 = (-(((_e1869 * _e1919) + (_e1867 * _e1920))) / ((_e1919 * _e1919) + (_e1920 * _e1920)));
+                                                                        let _e1930 = select(1f, _e1928, (_e1928 < 1f));
+                                                                        let _e1932 = select(0f, _e1930, (_e1930 > 0f));
+                                                                        let _e1945 = ((_e1871.x + (_e1877.x * _e1932)) - _e334);
+                                                                        let _e1946 = ((_e1871.y + (_e1877.y * _e1932)) - _e403);
+                                                                        let _e1947 = ((_e1871.z + (_e1877.z * _e1932)) - _e471);
+                                                                        let _e1948 = (_e1947 / _e510);
+                                                                        let _e1960 = bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u));
+                                                                        let _e1963 = bitcast<f32>((bitcast<u32>(_e1946) & 2147483647u));
+                                                                        let _e1965 = select(_e1963, _e1960, (_e1960 > _e1963));
+                                                                        let _e1968 = bitcast<f32>((bitcast<u32>(_e1947) & 2147483647u));
+                                                                        let _e1970 = select(_e1968, _e1965, (_e1965 > _e1968));
+                                                                        let _e1976 = bitcast<f32>((bitcast<u32>(_e1884) & 2147483647u));
+                                                                        let _e1979 = bitcast<f32>((bitcast<u32>(_e1889) & 2147483647u));
+                                                                        let _e1981 = select(_e1979, _e1976, (_e1976 > _e1979));
+                                                                        let _e1984 = bitcast<f32>((bitcast<u32>(_e1892) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1884 * _e1945) + (_e1889 * _e1946)) + (_e1892 * _e1947)) - _e1913)) & 2147483647u)) <= ((0.0000009536743f * select(_e1850, _e1970, (_e1970 > _e1850))) * select(_e1984, _e1981, (_e1981 > _e1984)))) {
+                                                                            let _e1994 = bitcast<f32>((bitcast<u32>(_e1875.x) & 2147483647u));
+                                                                            let _e1997 = bitcast<f32>((bitcast<u32>(_e1875.y) & 2147483647u));
+                                                                            let _e1999 = select(_e1997, _e1994, (_e1994 > _e1997));
+                                                                            let _e2002 = bitcast<f32>((bitcast<u32>(_e1875.z) & 2147483647u));
+                                                                            let _e2008 = bitcast<f32>((bitcast<u32>(_e1873.x) & 2147483647u));
+                                                                            let _e2011 = bitcast<f32>((bitcast<u32>(_e1873.y) & 2147483647u));
+                                                                            let _e2013 = select(_e2011, _e2008, (_e2008 > _e2011));
+                                                                            let _e2016 = bitcast<f32>((bitcast<u32>(_e1873.z) & 2147483647u));
+                                                                            let _e2020 = (bitcast<f32>((bitcast<u32>(_e1918) & 2147483647u)) > ((0.0000038146973f * select(_e2002, _e1999, (_e1999 > _e2002))) * select(_e2016, _e2013, (_e2013 > _e2016))));
+                                                                            if _e2020 {
+                                                                                phi_2778_ = (_e1913 / _e1918);
                                                                             } else {
-                                                                                phi_2457_ = f32();
+                                                                                phi_2778_ = f32();
                                                                             }
-                                                                            let _e1838 = phi_2457_;
-                                                                            phi_2459_ = _e1838;
-                                                                            phi_2460_ = select(true, false, _e1835);
+                                                                            let _e2023 = phi_2778_;
+                                                                            phi_2780_ = _e2023;
+                                                                            phi_2781_ = select(true, false, _e2020);
                                                                         } else {
-                                                                            phi_2459_ = f32();
-                                                                            phi_2460_ = true;
+                                                                            phi_2780_ = f32();
+                                                                            phi_2781_ = true;
                                                                         }
-                                                                        let _e1841 = phi_2459_;
-                                                                        let _e1843 = phi_2460_;
-                                                                        if _e1843 {
-                                                                            let _e1851 = (((_e1699 * (_e1760 - (_e338 * _e1763))) + (_e1704 * (_e1761 - (_e376 * _e1763)))) / _e1733);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1851) & 2147483647u)) <= _e1665) {
-                                                                                phi_2480_ = (_e1763 + _e1851);
+                                                                        let _e2026 = phi_2780_;
+                                                                        let _e2028 = phi_2781_;
+                                                                        if _e2028 {
+                                                                            let _e2036 = (((_e1884 * (_e1945 - (_e374 * _e1948))) + (_e1889 * (_e1946 - (_e442 * _e1948)))) / _e1918);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e2036) & 2147483647u)) <= _e1850) {
+                                                                                phi_2801_ = (_e1948 + _e2036);
                                                                             } else {
-                                                                                phi_2480_ = _e1763;
+                                                                                phi_2801_ = _e1948;
                                                                             }
-                                                                            let _e1858 = phi_2480_;
-                                                                            phi_2481_ = _e1858;
+                                                                            let _e2043 = phi_2801_;
+                                                                            phi_2802_ = _e2043;
                                                                         } else {
-                                                                            phi_2481_ = _e1841;
+                                                                            phi_2802_ = _e2026;
                                                                         }
-                                                                        let _e1860 = phi_2481_;
-                                                                        let _e1862 = select(_e1598, _e1860, (_e1860 < _e1598));
-                                                                        let _e1864 = select(_e1590, _e1862, (_e1862 > _e1590));
-                                                                        if (_e1864 >= _e464) {
-                                                                            let _e1866 = (_e1864 <= _e1016.member_1);
-                                                                            if _e1866 {
-                                                                                let _e1867 = (1f / _e1517);
-                                                                                phi_2504_ = type_24(_e1864, (_e1511 * _e1867), (_e1515 * _e1867), _e1076);
+                                                                        let _e2045 = phi_2802_;
+                                                                        let _e2047 = select(_e1783, _e2045, (_e2045 < _e1783));
+                                                                        let _e2049 = select(_e1775, _e2047, (_e2047 > _e1775));
+                                                                        if (_e2049 >= _e625) {
+                                                                            let _e2051 = (_e2049 <= _e1183.member_1);
+                                                                            if _e2051 {
+                                                                                let _e2052 = (1f / _e1702);
+                                                                                phi_2825_ = type_24(_e2049, (_e1696 * _e2052), (_e1700 * _e2052), _e1243);
                                                                             } else {
-                                                                                phi_2504_ = type_24();
+                                                                                phi_2825_ = type_24();
                                                                             }
-                                                                            let _e1872 = phi_2504_;
-                                                                            phi_2506_ = _e1872;
-                                                                            phi_2507_ = select(true, false, _e1866);
+                                                                            let _e2057 = phi_2825_;
+                                                                            phi_2827_ = _e2057;
+                                                                            phi_2828_ = select(true, false, _e2051);
                                                                         } else {
-                                                                            phi_2506_ = type_24();
-                                                                            phi_2507_ = true;
+                                                                            phi_2827_ = type_24();
+                                                                            phi_2828_ = true;
                                                                         }
-                                                                        let _e1875 = phi_2506_;
-                                                                        let _e1877 = phi_2507_;
-                                                                        if _e1877 {
-                                                                            phi_2511_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e2060 = phi_2827_;
+                                                                        let _e2062 = phi_2828_;
+                                                                        if _e2062 {
+                                                                            phi_2832_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2511_ = _e1875;
+                                                                            phi_2832_ = _e2060;
                                                                         }
-                                                                        let _e1879 = phi_2511_;
-                                                                        phi_2512_ = _e1879;
+                                                                        let _e2064 = phi_2832_;
+                                                                        phi_2833_ = _e2064;
                                                                     }
-                                                                    let _e1881 = phi_2512_;
-                                                                    phi_2513_ = _e1881;
-                                                                    phi_2514_ = _e1607;
+                                                                    let _e2066 = phi_2833_;
+                                                                    phi_2834_ = _e2066;
+                                                                    phi_2835_ = _e1792;
                                                                 }
-                                                                let _e1883 = phi_2513_;
-                                                                let _e1885 = phi_2514_;
-                                                                phi_2518_ = _e1883;
-                                                                phi_2519_ = _e1885;
+                                                                let _e2068 = phi_2834_;
+                                                                let _e2070 = phi_2835_;
+                                                                phi_2839_ = _e2068;
+                                                                phi_2840_ = _e2070;
                                                             }
-                                                            let _e1887 = phi_2518_;
-                                                            let _e1889 = phi_2519_;
-                                                            phi_2520_ = _e1887;
-                                                            phi_2521_ = _e1542;
-                                                            phi_2522_ = _e1889;
+                                                            let _e2072 = phi_2839_;
+                                                            let _e2074 = phi_2840_;
+                                                            phi_2841_ = _e2072;
+                                                            phi_2842_ = _e1727;
+                                                            phi_2843_ = _e2074;
                                                         }
-                                                        let _e1891 = phi_2520_;
-                                                        let _e1893 = phi_2521_;
-                                                        let _e1895 = phi_2522_;
-                                                        phi_2523_ = _e1891;
-                                                        phi_2524_ = _e1893;
-                                                        phi_2525_ = _e1895;
+                                                        let _e2076 = phi_2841_;
+                                                        let _e2078 = phi_2842_;
+                                                        let _e2080 = phi_2843_;
+                                                        phi_2844_ = _e2076;
+                                                        phi_2845_ = _e2078;
+                                                        phi_2846_ = _e2080;
                                                     }
-                                                    let _e1897 = phi_2523_;
-                                                    let _e1899 = phi_2524_;
-                                                    let _e1901 = phi_2525_;
-                                                    phi_2533_ = _e1897;
-                                                    phi_2534_ = select(_e1901, true, _e1899);
+                                                    let _e2082 = phi_2844_;
+                                                    let _e2084 = phi_2845_;
+                                                    let _e2086 = phi_2846_;
+                                                    phi_2854_ = _e2082;
+                                                    phi_2855_ = select(_e2086, true, _e2084);
                                                 } else {
-                                                    phi_2533_ = type_24();
-                                                    phi_2534_ = true;
+                                                    phi_2854_ = type_24();
+                                                    phi_2855_ = true;
                                                 }
-                                                let _e1904 = phi_2533_;
-                                                let _e1906 = phi_2534_;
-                                                if _e1906 {
-                                                    phi_2538_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e2089 = phi_2854_;
+                                                let _e2091 = phi_2855_;
+                                                if _e2091 {
+                                                    phi_2859_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2538_ = _e1904;
+                                                    phi_2859_ = _e2089;
                                                 }
-                                                let _e1908 = phi_2538_;
-                                                if (_e1908.member_3 != 4294967295u) {
-                                                    if (_e1076 != 4294967295u) {
-                                                        if (_e1908.member < _e1016.member.member) {
-                                                            phi_2564_ = true;
+                                                let _e2093 = phi_2859_;
+                                                if (_e2093.member_3 != 4294967295u) {
+                                                    if (_e1243 != 4294967295u) {
+                                                        if (_e2093.member < _e1183.member.member) {
+                                                            phi_2885_ = true;
                                                         } else {
-                                                            if (_e1908.member == _e1016.member.member) {
-                                                                phi_2563_ = (_e1908.member_3 < _e1016.member.member_3);
+                                                            if (_e2093.member == _e1183.member.member) {
+                                                                phi_2884_ = (_e2093.member_3 < _e1183.member.member_3);
                                                             } else {
-                                                                phi_2563_ = false;
+                                                                phi_2884_ = false;
                                                             }
-                                                            let _e1921 = phi_2563_;
-                                                            phi_2564_ = _e1921;
+                                                            let _e2106 = phi_2884_;
+                                                            phi_2885_ = _e2106;
                                                         }
-                                                        let _e1923 = phi_2564_;
-                                                        if _e1923 {
-                                                            phi_2570_ = type_36(_e1908, _e1908.member);
+                                                        let _e2108 = phi_2885_;
+                                                        if _e2108 {
+                                                            phi_2891_ = type_36(_e2093, _e2093.member);
                                                         } else {
-                                                            phi_2570_ = _e1016;
+                                                            phi_2891_ = _e1183;
                                                         }
-                                                        let _e1926 = phi_2570_;
-                                                        phi_2571_ = _e1926;
+                                                        let _e2111 = phi_2891_;
+                                                        phi_2892_ = _e2111;
                                                     } else {
-                                                        phi_2571_ = _e1016;
+                                                        phi_2892_ = _e1183;
                                                     }
-                                                    let _e1928 = phi_2571_;
-                                                    phi_2572_ = _e1928;
+                                                    let _e2113 = phi_2892_;
+                                                    phi_2893_ = _e2113;
                                                 } else {
-                                                    phi_2572_ = _e1016;
+                                                    phi_2893_ = _e1183;
                                                 }
-                                                let _e1930 = phi_2572_;
-                                                phi_980_ = _e1930;
+                                                let _e2115 = phi_2893_;
+                                                phi_1283_ = _e2115;
                                             } else {
-                                                phi_980_ = type_36();
+                                                phi_1283_ = type_36();
                                             }
-                                            let _e1932 = phi_980_;
+                                            let _e2117 = phi_1283_;
                                             continue;
                                             continuing {
-                                                phi_979_ = _e1932;
-                                                phi_982_ = _e1031;
-                                                phi_4076_ = _e506;
-                                                break if !(_e1037);
+                                                phi_1282_ = _e2117;
+                                                phi_1285_ = _e1198;
+                                                phi_4503_ = _e667;
+                                                break if !(_e1204);
                                             }
                                         }
-                                        let _e1935 = phi_4076_;
-                                        phi_4265_ = _e1935;
-                                        if _e1935 {
+                                        let _e2120 = phi_4503_;
+                                        phi_4710_ = _e2120;
+                                        if _e2120 {
                                             break;
                                         }
-                                        phi_4269_ = _e1935;
-                                        let _e2163 = local_11;
-                                        phi_3812_ = _e2163;
-                                        phi_3813_ = _e547;
-                                        phi_3814_ = false;
-                                        phi_3815_ = _e551;
+                                        phi_4714_ = _e2120;
+                                        let _e2447 = local_11;
+                                        phi_4133_ = _e2447;
+                                        phi_4134_ = _e708;
+                                        phi_4135_ = false;
+                                        phi_4136_ = _e712;
                                     } else {
-                                        if (_e547.member_1 >= _e93) {
-                                            phi_3368_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e708.member_1 >= _e99) {
+                                            phi_3689_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e547.member_1 < _e93) {
+                                            if (_e708.member_1 < _e99) {
                                             } else {
-                                                phi_4265_ = true;
+                                                phi_4710_ = true;
                                                 break;
                                             }
-                                            let _e564 = ((1u + _e264) % 4u);
-                                            if (_e564 < 4u) {
+                                            let _e725 = ((1u + _e270) % 4u);
+                                            if (_e725 < 4u) {
                                             } else {
-                                                phi_4265_ = true;
+                                                phi_4710_ = true;
                                                 break;
                                             }
-                                            let _e569 = global_3.member[_e547.member_1][_e564];
-                                            let _e571 = (_e569 >> bitcast<u32>(11u));
-                                            let _e573 = ((1u + _e263) % 4u);
-                                            if (_e573 < 4u) {
+                                            let _e730 = global_3.member[_e708.member_1][_e725];
+                                            let _e732 = (_e730 >> bitcast<u32>(11u));
+                                            let _e734 = ((1u + _e269) % 4u);
+                                            if (_e734 < 4u) {
                                             } else {
-                                                phi_4265_ = true;
+                                                phi_4710_ = true;
                                                 break;
                                             }
-                                            let _e578 = global_3.member[_e547.member_1][_e573];
-                                            let _e580 = (_e578 >> bitcast<u32>(11u));
-                                            let _e582 = ((1u + _e265) % 4u);
-                                            if (_e582 < 4u) {
+                                            let _e739 = global_3.member[_e708.member_1][_e734];
+                                            let _e741 = (_e739 >> bitcast<u32>(11u));
+                                            let _e743 = ((1u + _e271) % 4u);
+                                            if (_e743 < 4u) {
                                             } else {
-                                                phi_4265_ = true;
+                                                phi_4710_ = true;
                                                 break;
                                             }
-                                            let _e587 = global_3.member[_e547.member_1][_e582];
-                                            let _e589 = (_e587 >> bitcast<u32>(11u));
-                                            let _e612 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.x - _e547.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e613 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.y - _e547.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e614 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.z - _e547.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e616 = select(_e144, _e612, (_e612 > _e144));
-                                            let _e618 = select(_e144, _e613, (_e613 > _e144));
-                                            let _e620 = select(_e144, _e614, (_e614 > _e144));
-                                            let _e645 = bitcast<u32>((f32(bitcast<i32>((_e569 & 1023u))) * _e616));
-                                            let _e650 = (bitcast<i32>((_e569 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e653 = bitcast<f32>((_e645 & bitcast<u32>(_e650)));
-                                            let _e654 = bitcast<u32>((f32(bitcast<i32>((_e578 & 1023u))) * _e618));
-                                            let _e659 = (bitcast<i32>((_e578 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e662 = bitcast<f32>((_e654 & bitcast<u32>(_e659)));
-                                            let _e663 = bitcast<u32>((f32(bitcast<i32>((_e587 & 1023u))) * _e620));
-                                            let _e668 = (bitcast<i32>((_e587 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e671 = bitcast<f32>((_e663 & bitcast<u32>(_e668)));
-                                            let _e675 = bitcast<f32>((_e645 & bitcast<u32>(~(_e650))));
-                                            let _e679 = bitcast<f32>((_e654 & bitcast<u32>(~(_e659))));
-                                            let _e683 = bitcast<f32>((_e663 & bitcast<u32>(~(_e668))));
-                                            let _e684 = bitcast<u32>((f32(bitcast<i32>((_e571 & 1023u))) * _e616));
-                                            let _e689 = (bitcast<i32>((_e571 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e692 = bitcast<f32>((_e684 & bitcast<u32>(_e689)));
-                                            let _e693 = bitcast<u32>((f32(bitcast<i32>((_e580 & 1023u))) * _e618));
-                                            let _e698 = (bitcast<i32>((_e580 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e701 = bitcast<f32>((_e693 & bitcast<u32>(_e698)));
-                                            let _e702 = bitcast<u32>((f32(bitcast<i32>((_e589 & 1023u))) * _e620));
-                                            let _e707 = (bitcast<i32>((_e589 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e710 = bitcast<f32>((_e702 & bitcast<u32>(_e707)));
-                                            let _e714 = bitcast<f32>((_e684 & bitcast<u32>(~(_e689))));
-                                            let _e718 = bitcast<f32>((_e693 & bitcast<u32>(~(_e698))));
-                                            let _e722 = bitcast<f32>((_e702 & bitcast<u32>(~(_e707))));
-                                            let _e723 = (_e547.member.member.x + _e653);
-                                            let _e724 = (_e547.member.member.y + _e662);
-                                            let _e725 = (_e547.member.member.z + _e671);
-                                            let _e728 = (_e547.member.member_1.x - _e692);
-                                            let _e729 = (_e547.member.member_1.y - _e701);
-                                            let _e730 = (_e547.member.member_1.z - _e710);
-                                            let _e749 = (_e728 - _e723);
-                                            let _e750 = (_e729 - _e724);
-                                            let _e751 = (_e730 - _e725);
-                                            let _e753 = select(_e750, _e749, (_e749 > _e750));
-                                            let _e755 = select(_e751, _e753, (_e753 > _e751));
-                                            if (_e755 < (1024f * _e144)) {
-                                                phi_3069_ = 0u;
+                                            let _e748 = global_3.member[_e708.member_1][_e743];
+                                            let _e750 = (_e748 >> bitcast<u32>(11u));
+                                            let _e773 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.x - _e708.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e774 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.y - _e708.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e775 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.z - _e708.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e777 = select(_e150, _e773, (_e773 > _e150));
+                                            let _e779 = select(_e150, _e774, (_e774 > _e150));
+                                            let _e781 = select(_e150, _e775, (_e775 > _e150));
+                                            let _e812 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 1023u))) - 8388608f) * _e777));
+                                            let _e817 = (bitcast<i32>((_e730 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e820 = bitcast<f32>((_e812 & bitcast<u32>(_e817)));
+                                            let _e821 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e739 & 1023u))) - 8388608f) * _e779));
+                                            let _e826 = (bitcast<i32>((_e739 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e829 = bitcast<f32>((_e821 & bitcast<u32>(_e826)));
+                                            let _e830 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e748 & 1023u))) - 8388608f) * _e781));
+                                            let _e835 = (bitcast<i32>((_e748 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e838 = bitcast<f32>((_e830 & bitcast<u32>(_e835)));
+                                            let _e842 = bitcast<f32>((_e812 & bitcast<u32>(~(_e817))));
+                                            let _e846 = bitcast<f32>((_e821 & bitcast<u32>(~(_e826))));
+                                            let _e850 = bitcast<f32>((_e830 & bitcast<u32>(~(_e835))));
+                                            let _e851 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e732 & 1023u))) - 8388608f) * _e777));
+                                            let _e856 = (bitcast<i32>((_e732 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e859 = bitcast<f32>((_e851 & bitcast<u32>(_e856)));
+                                            let _e860 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e741 & 1023u))) - 8388608f) * _e779));
+                                            let _e865 = (bitcast<i32>((_e741 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e868 = bitcast<f32>((_e860 & bitcast<u32>(_e865)));
+                                            let _e869 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e750 & 1023u))) - 8388608f) * _e781));
+                                            let _e874 = (bitcast<i32>((_e750 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e877 = bitcast<f32>((_e869 & bitcast<u32>(_e874)));
+                                            let _e881 = bitcast<f32>((_e851 & bitcast<u32>(~(_e856))));
+                                            let _e885 = bitcast<f32>((_e860 & bitcast<u32>(~(_e865))));
+                                            let _e889 = bitcast<f32>((_e869 & bitcast<u32>(~(_e874))));
+                                            let _e890 = (_e708.member.member.x + _e820);
+                                            let _e891 = (_e708.member.member.y + _e829);
+                                            let _e892 = (_e708.member.member.z + _e838);
+                                            let _e895 = (_e708.member.member_1.x - _e859);
+                                            let _e896 = (_e708.member.member_1.y - _e868);
+                                            let _e897 = (_e708.member.member_1.z - _e877);
+                                            let _e916 = (_e895 - _e890);
+                                            let _e917 = (_e896 - _e891);
+                                            let _e918 = (_e897 - _e892);
+                                            let _e920 = select(_e917, _e916, (_e916 > _e917));
+                                            let _e922 = select(_e918, _e920, (_e920 > _e918));
+                                            if (_e922 < (1024f * _e150)) {
+                                                phi_3390_ = 0u;
                                             } else {
-                                                phi_3069_ = select(2u, 1u, (_e755 < (2097152f * _e144)));
+                                                phi_3390_ = select(2u, 1u, (_e922 < (2097152f * _e150)));
                                             }
-                                            let _e762 = phi_3069_;
-                                            switch bitcast<i32>(_e762) {
+                                            let _e929 = phi_3390_;
+                                            switch bitcast<i32>(_e929) {
                                                 case 0: {
-                                                    phi_3075_ = 1u;
+                                                    phi_3396_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3075_ = 2u;
+                                                    phi_3396_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3075_ = 3u;
+                                                    phi_3396_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3075_ = u32();
+                                                    phi_3396_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e765 = phi_3075_;
-                                            let _e771 = global_3.member[_e547.member_1][0u];
-                                            let _e775 = global_3.member[_e547.member_1][1u];
-                                            let _e779 = global_3.member[_e547.member_1][2u];
-                                            let _e783 = global_3.member[_e547.member_1][3u];
-                                            let _e795 = (((_e775 >> bitcast<u32>(22i)) | ((_e779 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e783 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e796 = (_e771 & 268435455u);
-                                            let _e797 = (_e795 & 268435455u);
-                                            let _e800 = ((_e771 >> bitcast<u32>(28u)) & 7u);
-                                            let _e808 = ((_e771 >> bitcast<u32>(31i)) | (((_e795 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e809 = (_e800 != 0u);
-                                            if (_e800 == 0u) {
-                                                phi_3330_ = _e796;
+                                            let _e932 = phi_3396_;
+                                            let _e938 = global_3.member[_e708.member_1][0u];
+                                            let _e942 = global_3.member[_e708.member_1][1u];
+                                            let _e946 = global_3.member[_e708.member_1][2u];
+                                            let _e950 = global_3.member[_e708.member_1][3u];
+                                            let _e962 = (((_e942 >> bitcast<u32>(22i)) | ((_e946 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e950 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e963 = (_e938 & 268435455u);
+                                            let _e964 = (_e962 & 268435455u);
+                                            let _e967 = ((_e938 >> bitcast<u32>(28u)) & 7u);
+                                            let _e975 = ((_e938 >> bitcast<u32>(31i)) | (((_e962 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e976 = (_e967 != 0u);
+                                            if (_e967 == 0u) {
+                                                phi_3651_ = _e963;
                                             } else {
-                                                if (_e800 == 7u) {
-                                                    phi_3329_ = 2147483648u;
+                                                if (_e967 == 7u) {
+                                                    phi_3650_ = 2147483648u;
                                                 } else {
-                                                    phi_3329_ = ((2147483648u | (_e800 << bitcast<u32>(28u))) | (_e797 & 268435455u));
+                                                    phi_3650_ = ((2147483648u | (_e967 << bitcast<u32>(28u))) | (_e964 & 268435455u));
                                                 }
-                                                let _e818 = phi_3329_;
-                                                phi_3330_ = _e818;
+                                                let _e985 = phi_3650_;
+                                                phi_3651_ = _e985;
                                             }
-                                            let _e820 = phi_3330_;
-                                            if _e809 {
-                                                let _e821 = (_e800 != 7u);
-                                                if _e821 {
-                                                    phi_3340_ = (_e797 + (_e800 * ((3u * _e765) + 1u)));
+                                            let _e987 = phi_3651_;
+                                            if _e976 {
+                                                let _e988 = (_e967 != 7u);
+                                                if _e988 {
+                                                    phi_3661_ = (_e964 + (_e967 * ((3u * _e932) + 1u)));
                                                 } else {
-                                                    phi_3340_ = u32();
+                                                    phi_3661_ = u32();
                                                 }
-                                                let _e825 = phi_3340_;
-                                                phi_3342_ = _e825;
-                                                phi_3343_ = select(true, false, _e821);
+                                                let _e992 = phi_3661_;
+                                                phi_3663_ = _e992;
+                                                phi_3664_ = select(true, false, _e988);
                                             } else {
-                                                phi_3342_ = u32();
-                                                phi_3343_ = true;
+                                                phi_3663_ = u32();
+                                                phi_3664_ = true;
                                             }
-                                            let _e828 = phi_3342_;
-                                            let _e830 = phi_3343_;
-                                            if (_e808 == 0u) {
-                                                phi_3364_ = (_e796 + select(0u, 1u, !(_e809)));
+                                            let _e995 = phi_3663_;
+                                            let _e997 = phi_3664_;
+                                            if (_e975 == 0u) {
+                                                phi_3685_ = (_e963 + select(0u, 1u, !(_e976)));
                                             } else {
-                                                if (_e808 == 7u) {
-                                                    phi_3363_ = 2147483648u;
+                                                if (_e975 == 7u) {
+                                                    phi_3684_ = 2147483648u;
                                                 } else {
-                                                    phi_3363_ = ((2147483648u | (_e808 << bitcast<u32>(28u))) | (select(_e828, _e797, _e830) & 268435455u));
+                                                    phi_3684_ = ((2147483648u | (_e975 << bitcast<u32>(28u))) | (select(_e995, _e964, _e997) & 268435455u));
                                                 }
-                                                let _e843 = phi_3363_;
-                                                phi_3364_ = _e843;
+                                                let _e1010 = phi_3684_;
+                                                phi_3685_ = _e1010;
                                             }
-                                            let _e845 = phi_3364_;
-                                            phi_3368_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e723, (_e547.member.member.x + _e675), _e728, (_e547.member.member_1.x - _e714)), vec4<f32>(_e724, (_e547.member.member.y + _e679), _e729, (_e547.member.member_1.y - _e718)), vec4<f32>(_e725, (_e547.member.member.z + _e683), _e730, (_e547.member.member_1.z - _e722))), type_49(type_32((_e547.member.member + vec4<f32>(_e653, _e662, _e671, 0f)), (_e547.member.member_1 - vec4<f32>(_e692, _e701, _e710, 0f))), _e820), type_49(type_32((_e547.member.member + vec4<f32>(_e675, _e679, _e683, 0f)), (_e547.member.member_1 - vec4<f32>(_e714, _e718, _e722, 0f))), _e845));
+                                            let _e1012 = phi_3685_;
+                                            phi_3689_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e890, (_e708.member.member.x + _e842), _e895, (_e708.member.member_1.x - _e881)), vec4<f32>(_e891, (_e708.member.member.y + _e846), _e896, (_e708.member.member_1.y - _e885)), vec4<f32>(_e892, (_e708.member.member.z + _e850), _e897, (_e708.member.member_1.z - _e889))), type_49(type_32((_e708.member.member + vec4<f32>(_e820, _e829, _e838, 0f)), (_e708.member.member_1 - vec4<f32>(_e859, _e868, _e877, 0f))), _e987), type_49(type_32((_e708.member.member + vec4<f32>(_e842, _e846, _e850, 0f)), (_e708.member.member_1 - vec4<f32>(_e881, _e885, _e889, 0f))), _e1012));
                                         }
-                                        let _e850 = phi_3368_;
-                                        let _e862 = ((_e850.member[0].x - _e336) * _e341);
-                                        let _e863 = ((_e850.member[0].y - _e336) * _e341);
-                                        let _e864 = ((_e850.member[0].z - _e337) * _e341);
-                                        let _e865 = ((_e850.member[0].w - _e337) * _e341);
-                                        let _e875 = ((_e850.member[1].x - _e374) * _e379);
-                                        let _e876 = ((_e850.member[1].y - _e374) * _e379);
-                                        let _e877 = ((_e850.member[1].z - _e375) * _e379);
-                                        let _e878 = ((_e850.member[1].w - _e375) * _e379);
-                                        let _e888 = ((_e850.member[2].x - _e412) * _e417);
-                                        let _e889 = ((_e850.member[2].y - _e412) * _e417);
-                                        let _e890 = ((_e850.member[2].z - _e413) * _e417);
-                                        let _e891 = ((_e850.member[2].w - _e413) * _e417);
-                                        let _e893 = select(_e890, _e888, (_e888 < _e890));
-                                        let _e895 = select(_e891, _e889, (_e889 < _e891));
-                                        let _e897 = select(_e890, _e888, (_e888 > _e890));
-                                        let _e899 = select(_e891, _e889, (_e889 > _e891));
-                                        let _e901 = select(_e864, _e862, (_e862 < _e864));
-                                        let _e903 = select(_e865, _e863, (_e863 < _e865));
-                                        let _e905 = select(_e877, _e875, (_e875 < _e877));
-                                        let _e907 = select(_e878, _e876, (_e876 < _e878));
-                                        let _e909 = select(_e905, _e901, (_e901 > _e905));
-                                        let _e911 = select(_e907, _e903, (_e903 > _e907));
-                                        let _e913 = select(_e893, _e909, (_e909 > _e893));
-                                        let _e915 = select(_e895, _e911, (_e911 > _e895));
-                                        let _e917 = select(_e864, _e862, (_e862 > _e864));
-                                        let _e919 = select(_e865, _e863, (_e863 > _e865));
-                                        let _e921 = select(_e877, _e875, (_e875 > _e877));
-                                        let _e923 = select(_e878, _e876, (_e876 > _e878));
-                                        let _e925 = select(_e921, _e917, (_e917 < _e921));
-                                        let _e927 = select(_e923, _e919, (_e919 < _e923));
-                                        let _e932 = -(_e893);
-                                        let _e933 = -(_e895);
-                                        let _e940 = (select(_e897, _e925, (_e925 < _e897)) + (select(_e932, _e897, (_e897 > _e932)) * 0.0000019073523f));
-                                        let _e941 = (select(_e899, _e927, (_e927 < _e899)) + (select(_e933, _e899, (_e899 > _e933)) * 0.0000019073523f));
-                                        let _e943 = select(_e464, _e913, (_e913 > _e464));
-                                        let _e945 = select(_e464, _e915, (_e915 > _e464));
-                                        let _e950 = (_e943 <= select(_e508.member_1, _e940, (_e940 < _e508.member_1)));
-                                        let _e951 = (_e945 <= select(_e508.member_1, _e941, (_e941 < _e508.member_1)));
-                                        let _e952 = (_e943 <= _e945);
-                                        if _e950 {
-                                            if _e951 {
-                                                if _e952 {
-                                                    phi_3712_ = _e850.member_2;
+                                        let _e1017 = phi_3689_;
+                                        let _e1029 = ((_e1017.member[0].x - _e372) * _e377);
+                                        let _e1030 = ((_e1017.member[0].y - _e372) * _e377);
+                                        let _e1031 = ((_e1017.member[0].z - _e373) * _e377);
+                                        let _e1032 = ((_e1017.member[0].w - _e373) * _e377);
+                                        let _e1042 = ((_e1017.member[1].x - _e440) * _e445);
+                                        let _e1043 = ((_e1017.member[1].y - _e440) * _e445);
+                                        let _e1044 = ((_e1017.member[1].z - _e441) * _e445);
+                                        let _e1045 = ((_e1017.member[1].w - _e441) * _e445);
+                                        let _e1055 = ((_e1017.member[2].x - _e508) * _e513);
+                                        let _e1056 = ((_e1017.member[2].y - _e508) * _e513);
+                                        let _e1057 = ((_e1017.member[2].z - _e509) * _e513);
+                                        let _e1058 = ((_e1017.member[2].w - _e509) * _e513);
+                                        let _e1060 = select(_e1057, _e1055, (_e1055 < _e1057));
+                                        let _e1062 = select(_e1058, _e1056, (_e1056 < _e1058));
+                                        let _e1064 = select(_e1057, _e1055, (_e1055 > _e1057));
+                                        let _e1066 = select(_e1058, _e1056, (_e1056 > _e1058));
+                                        let _e1068 = select(_e1031, _e1029, (_e1029 < _e1031));
+                                        let _e1070 = select(_e1032, _e1030, (_e1030 < _e1032));
+                                        let _e1072 = select(_e1044, _e1042, (_e1042 < _e1044));
+                                        let _e1074 = select(_e1045, _e1043, (_e1043 < _e1045));
+                                        let _e1076 = select(_e1072, _e1068, (_e1068 > _e1072));
+                                        let _e1078 = select(_e1074, _e1070, (_e1070 > _e1074));
+                                        let _e1080 = select(_e1060, _e1076, (_e1076 > _e1060));
+                                        let _e1082 = select(_e1062, _e1078, (_e1078 > _e1062));
+                                        let _e1084 = select(_e1031, _e1029, (_e1029 > _e1031));
+                                        let _e1086 = select(_e1032, _e1030, (_e1030 > _e1032));
+                                        let _e1088 = select(_e1044, _e1042, (_e1042 > _e1044));
+                                        let _e1090 = select(_e1045, _e1043, (_e1043 > _e1045));
+                                        let _e1092 = select(_e1088, _e1084, (_e1084 < _e1088));
+                                        let _e1094 = select(_e1090, _e1086, (_e1086 < _e1090));
+                                        let _e1099 = -(_e1060);
+                                        let _e1100 = -(_e1062);
+                                        let _e1107 = (select(_e1064, _e1092, (_e1092 < _e1064)) + (select(_e1099, _e1064, (_e1064 > _e1099)) * 0.0000019073523f));
+                                        let _e1108 = (select(_e1066, _e1094, (_e1094 < _e1066)) + (select(_e1100, _e1066, (_e1066 > _e1100)) * 0.0000019073523f));
+                                        let _e1110 = select(_e625, _e1080, (_e1080 > _e625));
+                                        let _e1112 = select(_e625, _e1082, (_e1082 > _e625));
+                                        let _e1117 = (_e1110 <= select(_e669.member_1, _e1107, (_e1107 < _e669.member_1)));
+                                        let _e1118 = (_e1112 <= select(_e669.member_1, _e1108, (_e1108 < _e669.member_1)));
+                                        let _e1119 = (_e1110 <= _e1112);
+                                        if _e1117 {
+                                            if _e1118 {
+                                                if _e1119 {
+                                                    phi_4033_ = _e1017.member_2;
                                                 } else {
-                                                    phi_3712_ = _e850.member_1;
+                                                    phi_4033_ = _e1017.member_1;
                                                 }
-                                                let _e956 = phi_3712_;
-                                                let _e978 = (_e551 % 128u);
-                                                let _e979 = (_e978 < 128u);
-                                                if _e979 {
+                                                let _e1123 = phi_4033_;
+                                                let _e1145 = (_e712 % 128u);
+                                                let _e1146 = (_e1145 < 128u);
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_8[_e978] = _e956.member_1;
-                                                if _e979 {
+                                                local_8[_e1145] = _e1123.member_1;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_7[_e978] = _e956.member.member.x;
-                                                if _e979 {
+                                                local_7[_e1145] = _e1123.member.member.x;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_6[_e978] = _e956.member.member.y;
-                                                if _e979 {
+                                                local_6[_e1145] = _e1123.member.member.y;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_5[_e978] = _e956.member.member.z;
-                                                if _e979 {
+                                                local_5[_e1145] = _e1123.member.member.z;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_4[_e978] = _e956.member.member_1.x;
-                                                if _e979 {
+                                                local_4[_e1145] = _e1123.member.member_1.x;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_3[_e978] = _e956.member.member_1.y;
-                                                if _e979 {
+                                                local_3[_e1145] = _e1123.member.member_1.y;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_2[_e978] = _e956.member.member_1.z;
-                                                if _e979 {
+                                                local_2[_e1145] = _e1123.member.member_1.z;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_9[_e978] = select(_e945, _e943, (_e943 > _e945));
-                                                if _e952 {
-                                                    phi_3789_ = _e850.member_1;
+                                                local_9[_e1145] = select(_e1112, _e1110, (_e1110 > _e1112));
+                                                if _e1119 {
+                                                    phi_4110_ = _e1017.member_1;
                                                 } else {
-                                                    phi_3789_ = _e850.member_2;
+                                                    phi_4110_ = _e1017.member_2;
                                                 }
-                                                let _e992 = phi_3789_;
-                                                phi_3790_ = _e992;
-                                                phi_3791_ = (_e551 + 1u);
+                                                let _e1159 = phi_4110_;
+                                                phi_4111_ = _e1159;
+                                                phi_4112_ = (_e712 + 1u);
                                             } else {
-                                                phi_3790_ = type_49();
-                                                phi_3791_ = u32();
+                                                phi_4111_ = type_49();
+                                                phi_4112_ = u32();
                                             }
-                                            let _e994 = phi_3790_;
-                                            let _e996 = phi_3791_;
-                                            phi_3793_ = _e994;
-                                            phi_3794_ = _e996;
-                                            phi_3795_ = select(true, false, _e951);
+                                            let _e1161 = phi_4111_;
+                                            let _e1163 = phi_4112_;
+                                            phi_4114_ = _e1161;
+                                            phi_4115_ = _e1163;
+                                            phi_4116_ = select(true, false, _e1118);
                                         } else {
-                                            phi_3793_ = type_49();
-                                            phi_3794_ = u32();
-                                            phi_3795_ = true;
+                                            phi_4114_ = type_49();
+                                            phi_4115_ = u32();
+                                            phi_4116_ = true;
                                         }
-                                        let _e999 = phi_3793_;
-                                        let _e1001 = phi_3794_;
-                                        let _e1003 = phi_3795_;
-                                        if _e1003 {
-                                            if _e950 {
-                                                phi_3804_ = _e850.member_1;
+                                        let _e1166 = phi_4114_;
+                                        let _e1168 = phi_4115_;
+                                        let _e1170 = phi_4116_;
+                                        if _e1170 {
+                                            if _e1117 {
+                                                phi_4125_ = _e1017.member_1;
                                             } else {
-                                                phi_3804_ = _e850.member_2;
+                                                phi_4125_ = _e1017.member_2;
                                             }
-                                            let _e1007 = phi_3804_;
-                                            phi_3809_ = _e1007;
-                                            phi_3810_ = select(_e951, true, _e950);
+                                            let _e1174 = phi_4125_;
+                                            phi_4130_ = _e1174;
+                                            phi_4131_ = select(_e1118, true, _e1117);
                                         } else {
-                                            phi_3809_ = _e999;
-                                            phi_3810_ = _e549;
+                                            phi_4130_ = _e1166;
+                                            phi_4131_ = _e710;
                                         }
-                                        let _e1010 = phi_3809_;
-                                        let _e1012 = phi_3810_;
-                                        phi_4269_ = _e506;
-                                        phi_3812_ = _e508;
-                                        phi_3813_ = _e1010;
-                                        phi_3814_ = _e1012;
-                                        phi_3815_ = select(_e1001, _e551, _e1003);
+                                        let _e1177 = phi_4130_;
+                                        let _e1179 = phi_4131_;
+                                        phi_4714_ = _e667;
+                                        phi_4133_ = _e669;
+                                        phi_4134_ = _e1177;
+                                        phi_4135_ = _e1179;
+                                        phi_4136_ = select(_e1168, _e712, _e1170);
                                     }
-                                    let _e1937 = phi_4269_;
-                                    let _e1939 = phi_3812_;
-                                    let _e1941 = phi_3813_;
-                                    let _e1943 = phi_3814_;
-                                    let _e1945 = phi_3815_;
-                                    phi_4268_ = _e1937;
-                                    phi_3816_ = _e1939;
-                                    phi_3817_ = _e1941;
-                                    phi_3818_ = (_e512 - 1u);
-                                    phi_3819_ = _e1943;
-                                    phi_3820_ = _e1945;
+                                    let _e2122 = phi_4714_;
+                                    let _e2124 = phi_4133_;
+                                    let _e2126 = phi_4134_;
+                                    let _e2128 = phi_4135_;
+                                    let _e2130 = phi_4136_;
+                                    phi_4713_ = _e2122;
+                                    phi_4137_ = _e2124;
+                                    phi_4138_ = _e2126;
+                                    phi_4139_ = (_e673 - 1u);
+                                    phi_4140_ = _e2128;
+                                    phi_4141_ = _e2130;
                                 } else {
-                                    phi_4268_ = _e506;
-                                    phi_3816_ = _e508;
-                                    phi_3817_ = _e547;
-                                    phi_3818_ = _e512;
-                                    phi_3819_ = _e549;
-                                    phi_3820_ = _e551;
+                                    phi_4713_ = _e667;
+                                    phi_4137_ = _e669;
+                                    phi_4138_ = _e708;
+                                    phi_4139_ = _e673;
+                                    phi_4140_ = _e710;
+                                    phi_4141_ = _e712;
                                 }
-                                let _e1947 = phi_4268_;
-                                let _e1949 = phi_3816_;
-                                let _e1951 = phi_3817_;
-                                let _e1953 = phi_3818_;
-                                let _e1955 = phi_3819_;
-                                let _e1957 = phi_3820_;
-                                phi_4267_ = _e1947;
-                                phi_3821_ = _e1949;
-                                phi_3822_ = _e1951;
-                                phi_3823_ = _e1953;
-                                phi_3824_ = _e1955;
-                                phi_3825_ = _e1957;
+                                let _e2132 = phi_4713_;
+                                let _e2134 = phi_4137_;
+                                let _e2136 = phi_4138_;
+                                let _e2138 = phi_4139_;
+                                let _e2140 = phi_4140_;
+                                let _e2142 = phi_4141_;
+                                phi_4712_ = _e2132;
+                                phi_4142_ = _e2134;
+                                phi_4143_ = _e2136;
+                                phi_4144_ = _e2138;
+                                phi_4145_ = _e2140;
+                                phi_4146_ = _e2142;
                             } else {
-                                phi_4267_ = _e506;
-                                phi_3821_ = type_36();
-                                phi_3822_ = type_49();
-                                phi_3823_ = u32();
-                                phi_3824_ = bool();
-                                phi_3825_ = u32();
+                                phi_4712_ = _e667;
+                                phi_4142_ = type_36();
+                                phi_4143_ = type_49();
+                                phi_4144_ = u32();
+                                phi_4145_ = bool();
+                                phi_4146_ = u32();
                             }
-                            let _e1959 = phi_4267_;
-                            let _e1961 = phi_3821_;
-                            let _e1963 = phi_3822_;
-                            let _e1965 = phi_3823_;
-                            let _e1967 = phi_3824_;
-                            let _e1969 = phi_3825_;
-                            phi_4266_ = _e1959;
-                            phi_853_ = _e1961;
-                            phi_856_ = _e1963;
-                            phi_858_ = _e1965;
-                            phi_860_ = _e1967;
-                            phi_862_ = _e1969;
-                            phi_3826_ = _e520;
+                            let _e2144 = phi_4712_;
+                            let _e2146 = phi_4142_;
+                            let _e2148 = phi_4143_;
+                            let _e2150 = phi_4144_;
+                            let _e2152 = phi_4145_;
+                            let _e2154 = phi_4146_;
+                            phi_4711_ = _e2144;
+                            phi_1156_ = _e2146;
+                            phi_1159_ = _e2148;
+                            phi_1161_ = _e2150;
+                            phi_1163_ = _e2152;
+                            phi_1165_ = _e2154;
+                            phi_4147_ = _e681;
                         } else {
-                            phi_4266_ = _e506;
-                            phi_853_ = type_36();
-                            phi_856_ = type_49();
-                            phi_858_ = u32();
-                            phi_860_ = bool();
-                            phi_862_ = u32();
-                            phi_3826_ = false;
+                            phi_4711_ = _e667;
+                            phi_1156_ = type_36();
+                            phi_1159_ = type_49();
+                            phi_1161_ = u32();
+                            phi_1163_ = bool();
+                            phi_1165_ = u32();
+                            phi_4147_ = false;
                         }
-                        let _e1971 = phi_4266_;
-                        let _e1973 = phi_853_;
-                        let _e1975 = phi_856_;
-                        let _e1977 = phi_858_;
-                        let _e1979 = phi_860_;
-                        let _e1981 = phi_862_;
-                        let _e1983 = phi_3826_;
+                        let _e2156 = phi_4711_;
+                        let _e2158 = phi_1156_;
+                        let _e2160 = phi_1159_;
+                        let _e2162 = phi_1161_;
+                        let _e2164 = phi_1163_;
+                        let _e2166 = phi_1165_;
+                        let _e2168 = phi_4147_;
                         continue;
                         continuing {
-                            phi_4082_ = _e1971;
-                            phi_852_ = _e1973;
-                            phi_855_ = _e1975;
-                            phi_857_ = _e1977;
-                            phi_859_ = _e1979;
-                            phi_861_ = _e1981;
-                            phi_4265_ = _e1971;
-                            break if !(_e1983);
+                            phi_4509_ = _e2156;
+                            phi_1155_ = _e2158;
+                            phi_1158_ = _e2160;
+                            phi_1160_ = _e2162;
+                            phi_1162_ = _e2164;
+                            phi_1164_ = _e2166;
+                            phi_4710_ = _e2156;
+                            break if !(_e2168);
                         }
                     }
-                    let _e1986 = phi_4265_;
-                    if _e1986 {
+                    let _e2171 = phi_4710_;
+                    if _e2171 {
                         break;
                     }
-                    let _e1988 = local_10;
-                    if (_e1988.member.member_3 != 4294967295u) {
-                        let _e1993 = -(_e431);
-                        let _e1994 = (_e1993 / 3i);
-                        let _e2001 = bitcast<f32>((bitcast<u32>((_e1994 + 127i)) << bitcast<u32>(23i)));
-                        let _e2009 = (((_e1988.member.member * _e2001) * _e2001) * bitcast<f32>((bitcast<u32>(((_e1993 - (2i * _e1994)) + 127i)) << bitcast<u32>(23i))));
-                        let _e2011 = select(340282350000000000000000000000000000000f, _e2009, (_e2009 < 340282350000000000000000000000000000000f));
-                        phi_3878_ = type_24(select(-340282350000000000000000000000000000000f, _e2011, (_e2011 > -340282350000000000000000000000000000000f)), _e1988.member.member_1, _e1988.member.member_2, _e1988.member.member_3);
+                    let _e2173 = local_10;
+                    if (_e2173.member.member_3 != 4294967295u) {
+                        let _e2178 = -(_e527);
+                        let _e2179 = bitcast<u32>(_e2173.member.member);
+                        let _e2183 = (bitcast<i32>((_e2179 >> bitcast<u32>(23i))) & 255i);
+                        let _e2184 = (_e2183 + _e2178);
+                        if (_e2183 == 255i) {
+                            phi_4206_ = _e2173.member.member;
+                        } else {
+                            if (_e2183 > 0i) {
+                                if (_e2184 > 0i) {
+                                    let _e2188 = (_e2184 < 255i);
+                                    if _e2188 {
+                                        phi_4185_ = bitcast<f32>((_e2179 + bitcast<u32>((_e2178 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_4185_ = f32();
+                                    }
+                                    let _e2195 = phi_4185_;
+                                    phi_4187_ = _e2195;
+                                    phi_4188_ = select(true, false, _e2188);
+                                } else {
+                                    phi_4187_ = f32();
+                                    phi_4188_ = true;
+                                }
+                                let _e2198 = phi_4187_;
+                                let _e2200 = phi_4188_;
+                                phi_4189_ = _e2198;
+                                phi_4190_ = _e2200;
+                            } else {
+                                phi_4189_ = f32();
+                                phi_4190_ = true;
+                            }
+                            let _e2202 = phi_4189_;
+                            let _e2204 = phi_4190_;
+                            if _e2204 {
+                                let _e2205 = (_e2179 & 2147483648u);
+                                let _e2212 = ((_e2179 & 8388607u) | (select(0u, 1u, ((_e2179 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2216 = (_e2212 == 0u);
+                                if _e2216 {
+                                    phi_4461_ = bitcast<f32>(_e2205);
+                                } else {
+                                    let _e2221 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2212)), 32u, _e2216) - 8u);
+                                    let _e2224 = (_e2212 << bitcast<u32>((_e2221 & 31u)));
+                                    let _e2226 = ((_e2184 + select(0i, 1i, (_e2183 == 0i))) - bitcast<i32>(_e2221));
+                                    if (_e2226 >= 255i) {
+                                        phi_4451_ = bitcast<f32>((_e2205 | 2139095040u));
+                                        phi_4452_ = f32();
+                                        phi_4453_ = true;
+                                    } else {
+                                        let _e2228 = (_e2226 > 0i);
+                                        if _e2228 {
+                                            phi_4445_ = bitcast<f32>(((_e2205 | (bitcast<u32>(_e2226) << bitcast<u32>(23i))) | (_e2224 & 8388607u)));
+                                            phi_4446_ = f32();
+                                        } else {
+                                            if (_e2226 < -24i) {
+                                                phi_4411_ = 26u;
+                                            } else {
+                                                phi_4411_ = bitcast<u32>((1i - _e2226));
+                                            }
+                                            let _e2233 = phi_4411_;
+                                            let _e2234 = (_e2233 & 31u);
+                                            let _e2236 = (_e2224 >> bitcast<u32>(_e2234));
+                                            let _e2240 = (_e2224 & ((1u << bitcast<u32>(_e2234)) - 1u));
+                                            let _e2244 = (1u << bitcast<u32>(((_e2233 - 1u) & 31u)));
+                                            if (_e2240 > _e2244) {
+                                                phi_4432_ = true;
+                                            } else {
+                                                if (_e2240 == _e2244) {
+                                                    phi_4429_ = ((_e2236 & 1u) == 1u);
+                                                } else {
+                                                    phi_4429_ = false;
+                                                }
+                                                let _e2250 = phi_4429_;
+                                                phi_4432_ = _e2250;
+                                            }
+                                            let _e2252 = phi_4432_;
+                                            phi_4445_ = f32();
+                                            phi_4446_ = bitcast<f32>((_e2205 | (_e2236 + select(0u, 1u, _e2252))));
+                                        }
+                                        let _e2265 = phi_4445_;
+                                        let _e2267 = phi_4446_;
+                                        phi_4451_ = _e2265;
+                                        phi_4452_ = _e2267;
+                                        phi_4453_ = _e2228;
+                                    }
+                                    let _e2271 = phi_4451_;
+                                    let _e2273 = phi_4452_;
+                                    let _e2275 = phi_4453_;
+                                    phi_4461_ = select(_e2273, _e2271, _e2275);
+                                }
+                                let _e2279 = phi_4461_;
+                                phi_4205_ = _e2279;
+                            } else {
+                                phi_4205_ = _e2202;
+                            }
+                            let _e2281 = phi_4205_;
+                            phi_4206_ = _e2281;
+                        }
+                        let _e2283 = phi_4206_;
+                        let _e2284 = bitcast<u32>(_e2283);
+                        if ((_e2284 & 2147483647u) >= 2139095040u) {
+                            phi_4218_ = bitcast<f32>(((_e2284 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_4218_ = _e2283;
+                        }
+                        let _e2291 = phi_4218_;
+                        phi_4223_ = type_24(_e2291, _e2173.member.member_1, _e2173.member.member_2, _e2173.member.member_3);
                     } else {
-                        phi_3878_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4223_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2018 = phi_3878_;
-                    if _e152 {
+                    let _e2296 = phi_4223_;
+                    if _e158 {
                     } else {
                         break;
                     }
-                    global_6.member[_e150] = _e2018;
+                    global_6.member[_e156] = _e2296;
                 }
             }
             break;

@@ -92,404 +92,481 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_381_: i32;
-    var phi_382_: i32;
-    var phi_392_: bool;
-    var phi_402_: u32;
-    var phi_403_: u32;
-    var phi_405_: bool;
-    var phi_410_: u32;
-    var phi_422_: i32;
-    var phi_442_: i32;
-    var phi_460_: f32;
-    var phi_466_: f32;
-    var phi_477_: f32;
-    var phi_483_: f32;
-    var phi_506_: f32;
-    var phi_517_: f32;
-    var phi_526_: f32;
-    var phi_532_: f32;
-    var phi_543_: f32;
-    var phi_549_: f32;
-    var phi_572_: f32;
-    var phi_583_: f32;
-    var phi_592_: f32;
-    var phi_598_: f32;
-    var phi_609_: f32;
-    var phi_615_: f32;
-    var phi_638_: f32;
-    var phi_649_: f32;
-    var phi_749_: f32;
-    var phi_750_: f32;
-    var phi_3450_: bool;
-    var phi_839_: type_33;
-    var phi_842_: type_50;
-    var phi_844_: u32;
-    var phi_846_: bool;
-    var phi_848_: u32;
-    var phi_859_: bool;
-    var phi_945_: type_50;
-    var phi_946_: bool;
-    var phi_947_: u32;
-    var phi_2697_: u32;
-    var phi_2698_: u32;
-    var phi_2708_: u32;
-    var phi_2710_: u32;
-    var phi_2711_: bool;
-    var phi_2731_: u32;
-    var phi_2732_: u32;
-    var phi_2736_: type_51;
-    var phi_3080_: type_50;
-    var phi_3157_: type_50;
-    var phi_3158_: type_50;
-    var phi_3159_: u32;
-    var phi_3161_: type_50;
-    var phi_3162_: u32;
-    var phi_3163_: bool;
-    var phi_3172_: type_50;
-    var phi_3177_: type_50;
-    var phi_3178_: bool;
-    var phi_965_: type_33;
-    var phi_968_: type_4;
-    var phi_969_: type_4;
-    var phi_991_: type_4;
-    var phi_1012_: u32;
-    var phi_1101_: array<array<f32, 3>, 3>;
-    var phi_1218_: bool;
-    var phi_1247_: bool;
-    var phi_1648_: f32;
-    var phi_1649_: f32;
-    var phi_1650_: f32;
-    var phi_1651_: f32;
-    var phi_1652_: vec3<f32>;
-    var phi_1653_: vec3<f32>;
-    var phi_1654_: vec3<f32>;
-    var phi_1655_: vec3<f32>;
-    var phi_1686_: bool;
-    var phi_1695_: vec3<f32>;
-    var phi_1860_: f32;
-    var phi_1862_: f32;
-    var phi_1863_: bool;
-    var phi_1883_: f32;
-    var phi_1884_: f32;
-    var phi_1907_: type_21;
-    var phi_1909_: type_21;
-    var phi_1910_: bool;
-    var phi_1914_: type_21;
-    var phi_1915_: type_21;
-    var phi_1916_: type_21;
-    var phi_1917_: bool;
-    var phi_1921_: type_21;
-    var phi_1922_: bool;
-    var phi_1923_: type_21;
-    var phi_1924_: bool;
-    var phi_1925_: bool;
-    var phi_1926_: type_21;
-    var phi_1927_: bool;
-    var phi_1928_: bool;
-    var phi_1936_: type_21;
-    var phi_1937_: bool;
-    var phi_1941_: type_21;
-    var phi_1966_: bool;
-    var phi_1967_: bool;
-    var phi_1973_: type_33;
-    var phi_1974_: type_33;
-    var phi_1975_: type_33;
-    var phi_966_: type_33;
-    var phi_3444_: bool;
-    var phi_3590_: bool;
-    var phi_3180_: type_33;
-    var phi_3181_: type_50;
-    var phi_3182_: bool;
-    var phi_3183_: u32;
-    var phi_3589_: bool;
-    var phi_3184_: type_33;
-    var phi_3185_: type_50;
-    var phi_3186_: u32;
-    var phi_3187_: bool;
-    var phi_3188_: u32;
-    var phi_3588_: bool;
-    var phi_3189_: type_33;
-    var phi_3190_: type_50;
-    var phi_3191_: u32;
-    var phi_3192_: bool;
-    var phi_3193_: u32;
-    var phi_3587_: bool;
-    var phi_840_: type_33;
-    var phi_843_: type_50;
-    var phi_845_: u32;
-    var phi_847_: bool;
-    var phi_849_: u32;
-    var phi_3194_: bool;
-    var phi_3586_: bool;
+    var phi_465_: i32;
+    var phi_466_: i32;
+    var phi_476_: bool;
+    var phi_486_: u32;
+    var phi_487_: u32;
+    var phi_489_: bool;
+    var phi_494_: u32;
+    var phi_506_: i32;
+    var phi_526_: i32;
+    var phi_544_: f32;
+    var phi_550_: f32;
+    var phi_590_: f32;
+    var phi_596_: f32;
+    var phi_648_: f32;
+    var phi_659_: f32;
+    var phi_668_: f32;
+    var phi_674_: f32;
+    var phi_714_: f32;
+    var phi_720_: f32;
+    var phi_772_: f32;
+    var phi_783_: f32;
+    var phi_792_: f32;
+    var phi_798_: f32;
+    var phi_838_: f32;
+    var phi_844_: f32;
+    var phi_896_: f32;
+    var phi_907_: f32;
+    var phi_962_: i32;
+    var phi_984_: u32;
+    var phi_985_: u32;
+    var phi_1022_: i32;
+    var phi_1044_: u32;
+    var phi_1045_: u32;
+    var phi_1053_: f32;
+    var phi_1054_: f32;
+    var phi_3860_: bool;
+    var phi_1143_: type_33;
+    var phi_1146_: type_50;
+    var phi_1148_: u32;
+    var phi_1150_: bool;
+    var phi_1152_: u32;
+    var phi_1163_: bool;
+    var phi_1249_: type_50;
+    var phi_1250_: bool;
+    var phi_1251_: u32;
+    var phi_3001_: u32;
+    var phi_3002_: u32;
+    var phi_3012_: u32;
+    var phi_3014_: u32;
+    var phi_3015_: bool;
+    var phi_3035_: u32;
+    var phi_3036_: u32;
+    var phi_3040_: type_51;
+    var phi_3384_: type_50;
+    var phi_3461_: type_50;
+    var phi_3462_: type_50;
+    var phi_3463_: u32;
+    var phi_3465_: type_50;
+    var phi_3466_: u32;
+    var phi_3467_: bool;
+    var phi_3476_: type_50;
+    var phi_3481_: type_50;
+    var phi_3482_: bool;
+    var phi_1269_: type_33;
+    var phi_1272_: type_4;
+    var phi_1273_: type_4;
+    var phi_1295_: type_4;
+    var phi_1316_: u32;
+    var phi_1405_: array<array<f32, 3>, 3>;
+    var phi_1522_: bool;
+    var phi_1551_: bool;
+    var phi_1952_: f32;
+    var phi_1953_: f32;
+    var phi_1954_: f32;
+    var phi_1955_: f32;
+    var phi_1956_: vec3<f32>;
+    var phi_1957_: vec3<f32>;
+    var phi_1958_: vec3<f32>;
+    var phi_1959_: vec3<f32>;
+    var phi_1990_: bool;
+    var phi_1999_: vec3<f32>;
+    var phi_2164_: f32;
+    var phi_2166_: f32;
+    var phi_2167_: bool;
+    var phi_2187_: f32;
+    var phi_2188_: f32;
+    var phi_2211_: type_21;
+    var phi_2213_: type_21;
+    var phi_2214_: bool;
+    var phi_2218_: type_21;
+    var phi_2219_: type_21;
+    var phi_2220_: type_21;
+    var phi_2221_: bool;
+    var phi_2225_: type_21;
+    var phi_2226_: bool;
+    var phi_2227_: type_21;
+    var phi_2228_: bool;
+    var phi_2229_: bool;
+    var phi_2230_: type_21;
+    var phi_2231_: bool;
+    var phi_2232_: bool;
+    var phi_2240_: type_21;
+    var phi_2241_: bool;
+    var phi_2245_: type_21;
+    var phi_2270_: bool;
+    var phi_2271_: bool;
+    var phi_2277_: type_33;
+    var phi_2278_: type_33;
+    var phi_2279_: type_33;
+    var phi_1270_: type_33;
+    var phi_3854_: bool;
+    var phi_4018_: bool;
+    var phi_3484_: type_33;
+    var phi_3485_: type_50;
+    var phi_3486_: bool;
+    var phi_3487_: u32;
+    var phi_4017_: bool;
+    var phi_3488_: type_33;
+    var phi_3489_: type_50;
+    var phi_3490_: u32;
+    var phi_3491_: bool;
+    var phi_3492_: u32;
+    var phi_4016_: bool;
+    var phi_3493_: type_33;
+    var phi_3494_: type_50;
+    var phi_3495_: u32;
+    var phi_3496_: bool;
+    var phi_3497_: u32;
+    var phi_4015_: bool;
+    var phi_1144_: type_33;
+    var phi_1147_: type_50;
+    var phi_1149_: u32;
+    var phi_1151_: bool;
+    var phi_1153_: u32;
+    var phi_3498_: bool;
+    var phi_4014_: bool;
     var local_10: type_33;
-    var phi_3246_: type_21;
+    var phi_3536_: f32;
+    var phi_3538_: f32;
+    var phi_3539_: bool;
+    var phi_3540_: f32;
+    var phi_3541_: bool;
+    var phi_3762_: u32;
+    var phi_3780_: bool;
+    var phi_3783_: bool;
+    var phi_3796_: f32;
+    var phi_3797_: f32;
+    var phi_3802_: f32;
+    var phi_3803_: f32;
+    var phi_3804_: bool;
+    var phi_3812_: f32;
+    var phi_3556_: f32;
+    var phi_3557_: f32;
+    var phi_3569_: f32;
+    var phi_3574_: type_21;
     var local_11: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e83 = global;
-            let _e85 = arrayLength((&global_5.member));
-            let _e87 = arrayLength((&global_2.member));
-            let _e95 = global_3.member[0u][0u];
-            let _e99 = global_3.member[0u][1u];
-            let _e103 = global_3.member[0u][2u];
-            let _e107 = global_3.member[0u][3u];
-            let _e111 = global_3.member[1u][0u];
-            let _e115 = global_3.member[1u][1u];
-            let _e119 = global_3.member[1u][2u];
-            let _e122 = global_1.member[0u];
-            let _e123 = bitcast<i32>(_e122);
-            let _e135 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e107) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e95), bitcast<i32>(_e99), bitcast<i32>(_e103));
-            local = array<i32, 3>(bitcast<i32>(_e111), bitcast<i32>(_e115), bitcast<i32>(_e119));
-            let _e141 = (_e83.x + (_e83.y * 2097152u));
-            let _e142 = (_e141 < arrayLength((&global_4.member)));
-            if _e142 {
-                let _e143 = (_e141 < arrayLength((&global_6.member)));
-                if _e143 {
-                    if _e142 {
+            let _e90 = global;
+            let _e92 = arrayLength((&global_5.member));
+            let _e94 = arrayLength((&global_2.member));
+            let _e102 = global_3.member[0u][0u];
+            let _e106 = global_3.member[0u][1u];
+            let _e110 = global_3.member[0u][2u];
+            let _e114 = global_3.member[0u][3u];
+            let _e118 = global_3.member[1u][0u];
+            let _e122 = global_3.member[1u][1u];
+            let _e126 = global_3.member[1u][2u];
+            let _e129 = global_1.member[0u];
+            let _e130 = bitcast<i32>(_e129);
+            let _e142 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e114) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e102), bitcast<i32>(_e106), bitcast<i32>(_e110));
+            local = array<i32, 3>(bitcast<i32>(_e118), bitcast<i32>(_e122), bitcast<i32>(_e126));
+            let _e148 = (_e90.x + (_e90.y * 2097152u));
+            let _e149 = (_e148 < arrayLength((&global_4.member)));
+            if _e149 {
+                let _e150 = (_e148 < arrayLength((&global_6.member)));
+                if _e150 {
+                    if _e149 {
                     } else {
                         break;
                     }
-                    let _e151 = global_4.member[_e141].member_2[0u];
-                    let _e153 = (bitcast<u32>(_e151) & 2147483647u);
-                    let _e158 = global_4.member[_e141].member_2[1u];
+                    let _e158 = global_4.member[_e148].member_2[0u];
                     let _e160 = (bitcast<u32>(_e158) & 2147483647u);
-                    let _e165 = global_4.member[_e141].member_2[2u];
+                    let _e165 = global_4.member[_e148].member_2[1u];
                     let _e167 = (bitcast<u32>(_e165) & 2147483647u);
-                    let _e172 = global_4.member[_e141].member[0u];
+                    let _e172 = global_4.member[_e148].member_2[2u];
                     let _e174 = (bitcast<u32>(_e172) & 2147483647u);
-                    let _e179 = global_4.member[_e141].member[1u];
+                    let _e179 = global_4.member[_e148].member[0u];
                     let _e181 = (bitcast<u32>(_e179) & 2147483647u);
-                    let _e186 = global_4.member[_e141].member[2u];
+                    let _e186 = global_4.member[_e148].member[1u];
                     let _e188 = (bitcast<u32>(_e186) & 2147483647u);
-                    let _e190 = select(_e160, _e153, (_e160 < _e153));
-                    let _e192 = select(_e167, _e190, (_e167 < _e190));
-                    let _e194 = select(_e174, _e192, (_e174 < _e192));
-                    let _e196 = select(_e181, _e194, (_e181 < _e194));
-                    let _e198 = select(_e188, _e196, (_e188 < _e196));
-                    let _e202 = global_4.member[_e141].member_1;
-                    let _e204 = (bitcast<u32>(_e202) & 2147483647u);
-                    let _e211 = global_4.member[_e141].member_3;
-                    let _e217 = (((select(_e204, _e198, (_e204 < _e198)) < 2139095040u) && ((bitcast<u32>(_e211) & 2147483647u) <= 2139095040u)) && (_e192 > 0u));
-                    if _e217 {
-                        let _e220 = (bitcast<u32>(bitcast<f32>(_e192)) & 2147483647u);
-                        if (_e220 >= 8388608u) {
-                            phi_381_ = (bitcast<i32>((_e220 >> bitcast<u32>(23i))) - 127i);
+                    let _e193 = global_4.member[_e148].member[2u];
+                    let _e195 = (bitcast<u32>(_e193) & 2147483647u);
+                    let _e197 = select(_e167, _e160, (_e167 < _e160));
+                    let _e199 = select(_e174, _e197, (_e174 < _e197));
+                    let _e201 = select(_e181, _e199, (_e181 < _e199));
+                    let _e203 = select(_e188, _e201, (_e188 < _e201));
+                    let _e205 = select(_e195, _e203, (_e195 < _e203));
+                    let _e209 = global_4.member[_e148].member_1;
+                    let _e210 = bitcast<u32>(_e209);
+                    let _e211 = (_e210 & 2147483647u);
+                    let _e218 = global_4.member[_e148].member_3;
+                    let _e219 = bitcast<u32>(_e218);
+                    let _e220 = (_e219 & 2147483647u);
+                    let _e224 = (((select(_e211, _e205, (_e211 < _e205)) < 2139095040u) && (_e220 <= 2139095040u)) && (_e199 > 0u));
+                    if _e224 {
+                        let _e227 = (bitcast<u32>(bitcast<f32>(_e199)) & 2147483647u);
+                        if (_e227 >= 8388608u) {
+                            phi_465_ = (bitcast<i32>((_e227 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_381_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u))));
+                            phi_465_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u))));
                         }
-                        let _e234 = phi_381_;
-                        phi_382_ = _e234;
+                        let _e241 = phi_465_;
+                        phi_466_ = _e241;
                     } else {
-                        phi_382_ = 0i;
+                        phi_466_ = 0i;
                     }
-                    let _e236 = phi_382_;
-                    let _e237 = (_e153 == _e192);
-                    if _e237 {
-                        phi_392_ = true;
+                    let _e243 = phi_466_;
+                    let _e244 = (_e160 == _e199);
+                    if _e244 {
+                        phi_476_ = true;
                     } else {
-                        phi_392_ = (_e160 == _e192);
+                        phi_476_ = (_e167 == _e199);
                     }
-                    let _e240 = phi_392_;
-                    let _e241 = select(1u, 0u, _e237);
-                    if _e240 {
-                        let _e242 = (_e241 + 1u);
-                        phi_402_ = _e242;
-                        phi_403_ = _e242;
-                        phi_405_ = select(true, false, (_e242 == 2u));
+                    let _e247 = phi_476_;
+                    let _e248 = select(1u, 0u, _e244);
+                    if _e247 {
+                        let _e249 = (_e248 + 1u);
+                        phi_486_ = _e249;
+                        phi_487_ = _e249;
+                        phi_489_ = select(true, false, (_e249 == 2u));
                     } else {
-                        phi_402_ = u32();
-                        phi_403_ = 0u;
-                        phi_405_ = true;
+                        phi_486_ = u32();
+                        phi_487_ = 0u;
+                        phi_489_ = true;
                     }
-                    let _e246 = phi_402_;
-                    let _e248 = phi_403_;
-                    let _e250 = phi_405_;
-                    if _e250 {
-                        phi_410_ = (_e248 + 1u);
+                    let _e253 = phi_486_;
+                    let _e255 = phi_487_;
+                    let _e257 = phi_489_;
+                    if _e257 {
+                        phi_494_ = (_e255 + 1u);
                     } else {
-                        phi_410_ = 0u;
+                        phi_494_ = 0u;
                     }
-                    let _e254 = phi_410_;
-                    let _e255 = select(_e246, _e248, _e250);
-                    let _e256 = select(_e241, select(2u, _e241, _e240), _e250);
-                    if (_e123 < -126i) {
-                        phi_422_ = -126i;
+                    let _e261 = phi_494_;
+                    let _e262 = select(_e253, _e255, _e257);
+                    let _e263 = select(_e248, select(2u, _e248, _e247), _e257);
+                    if (_e130 < -126i) {
+                        phi_506_ = -126i;
                     } else {
-                        phi_422_ = select(_e123, 127i, (_e123 > 127i));
+                        phi_506_ = select(_e130, 127i, (_e130 > 127i));
                     }
-                    let _e261 = phi_422_;
-                    let _e266 = bitcast<f32>((bitcast<u32>((_e261 + 127i)) << bitcast<u32>(23i)));
-                    let _e272 = bitcast<f32>((bitcast<u32>(((_e123 - _e261) + 127i)) << bitcast<u32>(23i)));
-                    let _e273 = -(_e236);
-                    if (_e273 < -126i) {
-                        phi_442_ = -126i;
+                    let _e268 = phi_506_;
+                    let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
+                    let _e279 = bitcast<f32>((bitcast<u32>(((_e130 - _e268) + 127i)) << bitcast<u32>(23i)));
+                    let _e280 = -(_e243);
+                    if (_e280 < -126i) {
+                        phi_526_ = -126i;
                     } else {
-                        phi_442_ = select(_e273, 127i, (_e273 > 127i));
+                        phi_526_ = select(_e280, 127i, (_e280 > 127i));
                     }
-                    let _e278 = phi_442_;
-                    let _e283 = bitcast<f32>((bitcast<u32>((_e278 + 127i)) << bitcast<u32>(23i)));
-                    let _e289 = bitcast<f32>((bitcast<u32>(((_e273 - _e278) + 127i)) << bitcast<u32>(23i)));
-                    let _e293 = global_4.member[_e141].member;
-                    let _e294 = (_e255 == 0u);
-                    if _e294 {
-                        phi_460_ = _e293[0];
+                    let _e285 = phi_526_;
+                    let _e290 = bitcast<f32>((bitcast<u32>((_e285 + 127i)) << bitcast<u32>(23i)));
+                    let _e296 = bitcast<f32>((bitcast<u32>(((_e280 - _e285) + 127i)) << bitcast<u32>(23i)));
+                    let _e300 = global_4.member[_e148].member;
+                    let _e301 = (_e262 == 0u);
+                    if _e301 {
+                        phi_544_ = _e300[0];
                     } else {
-                        phi_460_ = _e293[1];
+                        phi_544_ = _e300[1];
                     }
-                    let _e298 = phi_460_;
-                    let _e299 = (_e255 == 2u);
-                    if _e299 {
-                        phi_466_ = _e293[2];
+                    let _e305 = phi_544_;
+                    let _e306 = (_e262 == 2u);
+                    if _e306 {
+                        phi_550_ = _e300[2];
                     } else {
-                        phi_466_ = _e298;
+                        phi_550_ = _e305;
                     }
-                    let _e302 = phi_466_;
-                    let _e304 = ((_e302 * _e266) * _e272);
-                    let _e305 = global_4.member[_e141].member_2;
-                    if _e294 {
-                        phi_477_ = _e305[0];
+                    let _e309 = phi_550_;
+                    let _e310 = bitcast<u32>(_e309);
+                    let _e312 = ((_e310 & 2139095040u) != 0u);
+                    let _e326 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e310 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e310 & 2147483648u))), _e309, _e312) * _e273) * select(0.00000011920929f, 1f, _e312)) * _e279);
+                    let _e327 = global_4.member[_e148].member_2;
+                    if _e301 {
+                        phi_590_ = _e327[0];
                     } else {
-                        phi_477_ = _e305[1];
+                        phi_590_ = _e327[1];
                     }
-                    let _e309 = phi_477_;
-                    if _e299 {
-                        phi_483_ = _e305[2];
+                    let _e331 = phi_590_;
+                    if _e306 {
+                        phi_596_ = _e327[2];
                     } else {
-                        phi_483_ = _e309;
+                        phi_596_ = _e331;
                     }
-                    let _e312 = phi_483_;
-                    let _e314 = ((_e312 * _e283) * _e289);
-                    let _e318 = (bitcast<f32>((bitcast<u32>(_e314) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e318 {
-                        let _e322 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
-                        phi_506_ = select(0.00000000000011368684f, _e322, (_e322 > 0.00000000000011368684f));
+                    let _e334 = phi_596_;
+                    let _e335 = bitcast<u32>(_e334);
+                    let _e337 = ((_e335 & 2139095040u) != 0u);
+                    let _e351 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e335 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e335 & 2147483648u))), _e334, _e337) * _e290) * select(0.00000011920929f, 1f, _e337)) * _e296);
+                    let _e355 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e355 {
+                        let _e359 = (bitcast<f32>((bitcast<u32>(_e326) & 2147483647u)) * 0.00000011920929f);
+                        phi_648_ = select(0.00000000000011368684f, _e359, (_e359 > 0.00000000000011368684f));
                     } else {
-                        phi_506_ = 0f;
+                        phi_648_ = 0f;
                     }
-                    let _e326 = phi_506_;
-                    let _e327 = (_e304 + _e326);
-                    let _e328 = (_e304 - _e326);
-                    let _e329 = select(_e314, 0f, _e318);
-                    if _e318 {
-                        phi_517_ = 38685626000000000000000000f;
+                    let _e363 = phi_648_;
+                    let _e364 = (_e326 + _e363);
+                    let _e365 = (_e326 - _e363);
+                    let _e366 = select(_e351, 0f, _e355);
+                    if _e355 {
+                        phi_659_ = 38685626000000000000000000f;
                     } else {
-                        phi_517_ = (1f / _e314);
+                        phi_659_ = (1f / _e351);
                     }
-                    let _e332 = phi_517_;
-                    let _e333 = (_e254 == 0u);
-                    if _e333 {
-                        phi_526_ = _e293[0];
+                    let _e369 = phi_659_;
+                    let _e370 = (_e261 == 0u);
+                    if _e370 {
+                        phi_668_ = _e300[0];
                     } else {
-                        phi_526_ = _e293[1];
+                        phi_668_ = _e300[1];
                     }
-                    let _e337 = phi_526_;
-                    let _e338 = (_e254 == 2u);
-                    if _e338 {
-                        phi_532_ = _e293[2];
+                    let _e374 = phi_668_;
+                    let _e375 = (_e261 == 2u);
+                    if _e375 {
+                        phi_674_ = _e300[2];
                     } else {
-                        phi_532_ = _e337;
+                        phi_674_ = _e374;
                     }
-                    let _e341 = phi_532_;
-                    let _e343 = ((_e341 * _e266) * _e272);
-                    if _e333 {
-                        phi_543_ = _e305[0];
+                    let _e378 = phi_674_;
+                    let _e379 = bitcast<u32>(_e378);
+                    let _e381 = ((_e379 & 2139095040u) != 0u);
+                    let _e395 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e379 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e379 & 2147483648u))), _e378, _e381) * _e273) * select(0.00000011920929f, 1f, _e381)) * _e279);
+                    if _e370 {
+                        phi_714_ = _e327[0];
                     } else {
-                        phi_543_ = _e305[1];
+                        phi_714_ = _e327[1];
                     }
-                    let _e347 = phi_543_;
-                    if _e338 {
-                        phi_549_ = _e305[2];
+                    let _e399 = phi_714_;
+                    if _e375 {
+                        phi_720_ = _e327[2];
                     } else {
-                        phi_549_ = _e347;
+                        phi_720_ = _e399;
                     }
-                    let _e350 = phi_549_;
-                    let _e352 = ((_e350 * _e283) * _e289);
-                    let _e356 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e356 {
-                        let _e360 = (bitcast<f32>((bitcast<u32>(_e343) & 2147483647u)) * 0.00000011920929f);
-                        phi_572_ = select(0.00000000000011368684f, _e360, (_e360 > 0.00000000000011368684f));
+                    let _e402 = phi_720_;
+                    let _e403 = bitcast<u32>(_e402);
+                    let _e405 = ((_e403 & 2139095040u) != 0u);
+                    let _e419 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e403 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e403 & 2147483648u))), _e402, _e405) * _e290) * select(0.00000011920929f, 1f, _e405)) * _e296);
+                    let _e423 = (bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e423 {
+                        let _e427 = (bitcast<f32>((bitcast<u32>(_e395) & 2147483647u)) * 0.00000011920929f);
+                        phi_772_ = select(0.00000000000011368684f, _e427, (_e427 > 0.00000000000011368684f));
                     } else {
-                        phi_572_ = 0f;
+                        phi_772_ = 0f;
                     }
-                    let _e364 = phi_572_;
-                    let _e365 = (_e343 + _e364);
-                    let _e366 = (_e343 - _e364);
-                    let _e367 = select(_e352, 0f, _e356);
-                    if _e356 {
-                        phi_583_ = 38685626000000000000000000f;
+                    let _e431 = phi_772_;
+                    let _e432 = (_e395 + _e431);
+                    let _e433 = (_e395 - _e431);
+                    let _e434 = select(_e419, 0f, _e423);
+                    if _e423 {
+                        phi_783_ = 38685626000000000000000000f;
                     } else {
-                        phi_583_ = (1f / _e352);
+                        phi_783_ = (1f / _e419);
                     }
-                    let _e370 = phi_583_;
-                    let _e371 = (_e256 == 0u);
-                    if _e371 {
-                        phi_592_ = _e293[0];
+                    let _e437 = phi_783_;
+                    let _e438 = (_e263 == 0u);
+                    if _e438 {
+                        phi_792_ = _e300[0];
                     } else {
-                        phi_592_ = _e293[1];
+                        phi_792_ = _e300[1];
                     }
-                    let _e375 = phi_592_;
-                    let _e376 = (_e256 == 2u);
-                    if _e376 {
-                        phi_598_ = _e293[2];
+                    let _e442 = phi_792_;
+                    let _e443 = (_e263 == 2u);
+                    if _e443 {
+                        phi_798_ = _e300[2];
                     } else {
-                        phi_598_ = _e375;
+                        phi_798_ = _e442;
                     }
-                    let _e379 = phi_598_;
-                    let _e381 = ((_e379 * _e266) * _e272);
-                    if _e371 {
-                        phi_609_ = _e305[0];
+                    let _e446 = phi_798_;
+                    let _e447 = bitcast<u32>(_e446);
+                    let _e449 = ((_e447 & 2139095040u) != 0u);
+                    let _e463 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e447 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e447 & 2147483648u))), _e446, _e449) * _e273) * select(0.00000011920929f, 1f, _e449)) * _e279);
+                    if _e438 {
+                        phi_838_ = _e327[0];
                     } else {
-                        phi_609_ = _e305[1];
+                        phi_838_ = _e327[1];
                     }
-                    let _e385 = phi_609_;
-                    if _e376 {
-                        phi_615_ = _e305[2];
+                    let _e467 = phi_838_;
+                    if _e443 {
+                        phi_844_ = _e327[2];
                     } else {
-                        phi_615_ = _e385;
+                        phi_844_ = _e467;
                     }
-                    let _e388 = phi_615_;
-                    let _e390 = ((_e388 * _e283) * _e289);
-                    let _e394 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e394 {
-                        let _e398 = (bitcast<f32>((bitcast<u32>(_e381) & 2147483647u)) * 0.00000011920929f);
-                        phi_638_ = select(0.00000000000011368684f, _e398, (_e398 > 0.00000000000011368684f));
+                    let _e470 = phi_844_;
+                    let _e471 = bitcast<u32>(_e470);
+                    let _e473 = ((_e471 & 2139095040u) != 0u);
+                    let _e487 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e471 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e471 & 2147483648u))), _e470, _e473) * _e290) * select(0.00000011920929f, 1f, _e473)) * _e296);
+                    let _e491 = (bitcast<f32>((bitcast<u32>(_e487) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e491 {
+                        let _e495 = (bitcast<f32>((bitcast<u32>(_e463) & 2147483647u)) * 0.00000011920929f);
+                        phi_896_ = select(0.00000000000011368684f, _e495, (_e495 > 0.00000000000011368684f));
                     } else {
-                        phi_638_ = 0f;
+                        phi_896_ = 0f;
                     }
-                    let _e402 = phi_638_;
-                    let _e403 = (_e381 + _e402);
-                    let _e404 = (_e381 - _e402);
-                    let _e405 = select(_e390, 0f, _e394);
-                    if _e394 {
-                        phi_649_ = 38685626000000000000000000f;
+                    let _e499 = phi_896_;
+                    let _e500 = (_e463 + _e499);
+                    let _e501 = (_e463 - _e499);
+                    let _e502 = select(_e487, 0f, _e491);
+                    if _e491 {
+                        phi_907_ = 38685626000000000000000000f;
                     } else {
-                        phi_649_ = (1f / _e390);
+                        phi_907_ = (1f / _e487);
                     }
-                    let _e408 = phi_649_;
-                    let _e411 = bitcast<f32>((bitcast<u32>(_e304) & 2147483647u));
-                    let _e414 = bitcast<f32>((bitcast<u32>(_e343) & 2147483647u));
-                    let _e416 = select(_e414, _e411, (_e411 > _e414));
-                    let _e419 = bitcast<f32>((bitcast<u32>(_e381) & 2147483647u));
-                    let _e422 = (_e123 + _e236);
-                    if (_e217 && (select(_e419, _e416, (_e416 > _e419)) <= 1099511600000f)) {
-                        let _e425 = (_e422 / 3i);
-                        let _e432 = bitcast<f32>((bitcast<u32>((_e425 + 127i)) << bitcast<u32>(23i)));
-                        let _e439 = bitcast<f32>((bitcast<u32>(((_e422 - (2i * _e425)) + 127i)) << bitcast<u32>(23i)));
-                        let _e440 = (((_e202 * _e432) * _e432) * _e439);
-                        let _e442 = select(340282350000000000000000000000000000000f, _e440, (_e440 < 340282350000000000000000000000000000000f));
-                        let _e447 = (((_e211 * _e432) * _e432) * _e439);
-                        let _e449 = select(340282350000000000000000000000000000000f, _e447, (_e447 < 340282350000000000000000000000000000000f));
-                        phi_749_ = select(-340282350000000000000000000000000000000f, _e449, (_e449 > -340282350000000000000000000000000000000f));
-                        phi_750_ = select(-340282350000000000000000000000000000000f, _e442, (_e442 > -340282350000000000000000000000000000000f));
+                    let _e505 = phi_907_;
+                    let _e508 = bitcast<f32>((bitcast<u32>(_e326) & 2147483647u));
+                    let _e511 = bitcast<f32>((bitcast<u32>(_e395) & 2147483647u));
+                    let _e513 = select(_e511, _e508, (_e508 > _e511));
+                    let _e516 = bitcast<f32>((bitcast<u32>(_e463) & 2147483647u));
+                    let _e519 = (_e130 + _e243);
+                    if (_e224 && (select(_e516, _e513, (_e513 > _e516)) <= 1099511600000f)) {
+                        let _e529 = ((_e211 & 8388607u) | (select(0u, 1u, ((_e211 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e532 = bitcast<i32>((_e211 >> bitcast<u32>(23i)));
+                        let _e536 = (_e529 == 0u);
+                        let _e539 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e529)), 32u, _e536)) - 8i);
+                        if (_e532 == 255i) {
+                            phi_962_ = 255i;
+                        } else {
+                            phi_962_ = (((_e532 + select(0i, 1i, (_e532 == 0i))) - _e539) + _e519);
+                        }
+                        let _e547 = phi_962_;
+                        let _e557 = (_e547 <= 0i);
+                        if _e557 {
+                            phi_985_ = u32();
+                        } else {
+                            if _e536 {
+                                phi_984_ = u32();
+                            } else {
+                                phi_984_ = select(((bitcast<u32>(_e547) << bitcast<u32>(23i)) | ((_e529 << bitcast<u32>(((_e539 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e547 >= 255i));
+                            }
+                            let _e561 = phi_984_;
+                            phi_985_ = _e561;
+                        }
+                        let _e563 = phi_985_;
+                        let _e575 = ((_e220 & 8388607u) | (select(0u, 1u, ((_e220 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e578 = bitcast<i32>((_e220 >> bitcast<u32>(23i)));
+                        let _e582 = (_e575 == 0u);
+                        let _e585 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e575)), 32u, _e582)) - 8i);
+                        if (_e578 == 255i) {
+                            phi_1022_ = 255i;
+                        } else {
+                            phi_1022_ = (((_e578 + select(0i, 1i, (_e578 == 0i))) - _e585) + _e519);
+                        }
+                        let _e593 = phi_1022_;
+                        let _e603 = (_e593 <= 0i);
+                        if _e603 {
+                            phi_1045_ = u32();
+                        } else {
+                            if _e582 {
+                                phi_1044_ = u32();
+                            } else {
+                                phi_1044_ = select(((bitcast<u32>(_e593) << bitcast<u32>(23i)) | ((_e575 << bitcast<u32>(((_e585 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e593 >= 255i));
+                            }
+                            let _e607 = phi_1044_;
+                            phi_1045_ = _e607;
+                        }
+                        let _e609 = phi_1045_;
+                        phi_1053_ = bitcast<f32>(((_e219 & 2147483648u) | select(_e609, 0u, select(_e582, true, _e603))));
+                        phi_1054_ = bitcast<f32>(((_e210 & 2147483648u) | select(_e563, 0u, select(_e536, true, _e557))));
                     } else {
-                        phi_749_ = 0f;
-                        phi_750_ = 1f;
+                        phi_1053_ = 0f;
+                        phi_1054_ = 1f;
                     }
-                    let _e453 = phi_749_;
-                    let _e455 = phi_750_;
+                    let _e615 = phi_1053_;
+                    let _e617 = phi_1054_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -498,953 +575,1052 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e459 = (_e255 % 3u);
-                    let _e460 = (_e459 < 3u);
-                    if _e460 {
+                    let _e621 = (_e262 % 3u);
+                    let _e622 = (_e621 < 3u);
+                    if _e622 {
                     } else {
                         break;
                     }
-                    let _e462 = local_1[_e459];
-                    let _e465 = (_e254 % 3u);
-                    let _e466 = (_e465 < 3u);
-                    if _e466 {
+                    let _e624 = local_1[_e621];
+                    let _e627 = (_e261 % 3u);
+                    let _e628 = (_e627 < 3u);
+                    if _e628 {
                     } else {
                         break;
                     }
-                    let _e468 = local_1[_e465];
-                    let _e471 = (_e256 % 3u);
-                    let _e472 = (_e471 < 3u);
-                    if _e472 {
+                    let _e630 = local_1[_e627];
+                    let _e633 = (_e263 % 3u);
+                    let _e634 = (_e633 < 3u);
+                    if _e634 {
                     } else {
                         break;
                     }
-                    let _e474 = local_1[_e471];
-                    if _e460 {
+                    let _e636 = local_1[_e633];
+                    if _e622 {
                     } else {
                         break;
                     }
-                    let _e479 = local[_e459];
-                    if _e466 {
+                    let _e641 = local[_e621];
+                    if _e628 {
                     } else {
                         break;
                     }
-                    let _e483 = local[_e465];
-                    if _e472 {
+                    let _e645 = local[_e627];
+                    if _e634 {
                     } else {
                         break;
                     }
-                    let _e487 = local[_e471];
-                    phi_3450_ = false;
-                    phi_839_ = type_33(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e453);
-                    phi_842_ = type_50(type_29(vec4<f32>((f32(_e462) * _e135), (f32(_e468) * _e135), (f32(_e474) * _e135), 0f), vec4<f32>((f32(_e479) * _e135), (f32(_e483) * _e135), (f32(_e487) * _e135), 0f)), select(0u, 2147483648u, (_e85 == 0u)));
-                    phi_844_ = ((3u * _e85) + 1u);
-                    phi_846_ = (_e455 <= _e453);
-                    phi_848_ = 0u;
+                    let _e649 = local[_e633];
+                    phi_3860_ = false;
+                    phi_1143_ = type_33(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e615);
+                    phi_1146_ = type_50(type_29(vec4<f32>((f32(_e624) * _e142), (f32(_e630) * _e142), (f32(_e636) * _e142), 0f), vec4<f32>((f32(_e641) * _e142), (f32(_e645) * _e142), (f32(_e649) * _e142), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
+                    phi_1148_ = ((3u * _e92) + 1u);
+                    phi_1150_ = (_e617 <= _e615);
+                    phi_1152_ = 0u;
                     loop {
-                        let _e497 = phi_3450_;
-                        let _e499 = phi_839_;
-                        let _e501 = phi_842_;
-                        let _e503 = phi_844_;
-                        let _e505 = phi_846_;
-                        let _e507 = phi_848_;
-                        local_10 = _e499;
-                        if _e505 {
-                            phi_859_ = true;
+                        let _e659 = phi_3860_;
+                        let _e661 = phi_1143_;
+                        let _e663 = phi_1146_;
+                        let _e665 = phi_1148_;
+                        let _e667 = phi_1150_;
+                        let _e669 = phi_1152_;
+                        local_10 = _e661;
+                        if _e667 {
+                            phi_1163_ = true;
                         } else {
-                            phi_859_ = (_e507 > 0u);
+                            phi_1163_ = (_e669 > 0u);
                         }
-                        let _e510 = phi_859_;
-                        if _e510 {
-                            let _e511 = (_e503 > 0u);
-                            if _e511 {
-                                if _e505 {
-                                    phi_945_ = _e501;
-                                    phi_946_ = _e505;
-                                    phi_947_ = _e507;
+                        let _e672 = phi_1163_;
+                        if _e672 {
+                            let _e673 = (_e665 > 0u);
+                            if _e673 {
+                                if _e667 {
+                                    phi_1249_ = _e663;
+                                    phi_1250_ = _e667;
+                                    phi_1251_ = _e669;
                                 } else {
-                                    let _e512 = (_e507 - 1u);
-                                    let _e513 = (_e512 % 128u);
-                                    let _e514 = (_e513 < 128u);
-                                    if _e514 {
+                                    let _e674 = (_e669 - 1u);
+                                    let _e675 = (_e674 % 128u);
+                                    let _e676 = (_e675 < 128u);
+                                    if _e676 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e516 = local_7[_e513];
-                                    if _e514 {
+                                    let _e678 = local_7[_e675];
+                                    if _e676 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e518 = local_6[_e513];
-                                    if _e514 {
+                                    let _e680 = local_6[_e675];
+                                    if _e676 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e520 = local_5[_e513];
-                                    if _e514 {
+                                    let _e682 = local_5[_e675];
+                                    if _e676 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e522 = local_4[_e513];
-                                    if _e514 {
+                                    let _e684 = local_4[_e675];
+                                    if _e676 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e524 = local_3[_e513];
-                                    if _e514 {
+                                    let _e686 = local_3[_e675];
+                                    if _e676 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e526 = local_2[_e513];
-                                    if _e514 {
+                                    let _e688 = local_2[_e675];
+                                    if _e676 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e531 = local_8[_e513];
-                                    if _e514 {
+                                    let _e693 = local_8[_e675];
+                                    if _e676 {
                                     } else {
-                                        phi_3586_ = true;
+                                        phi_4014_ = true;
                                         break;
                                     }
-                                    let _e534 = local_9[_e513];
-                                    phi_945_ = type_50(type_29(vec4<f32>(_e516, _e518, _e520, 0f), vec4<f32>(_e522, _e524, _e526, 0f)), _e531);
-                                    phi_946_ = (_e534 <= _e499.member_1);
-                                    phi_947_ = _e512;
+                                    let _e696 = local_9[_e675];
+                                    phi_1249_ = type_50(type_29(vec4<f32>(_e678, _e680, _e682, 0f), vec4<f32>(_e684, _e686, _e688, 0f)), _e693);
+                                    phi_1250_ = (_e696 <= _e661.member_1);
+                                    phi_1251_ = _e674;
                                 }
-                                let _e538 = phi_945_;
-                                let _e540 = phi_946_;
-                                let _e542 = phi_947_;
-                                if _e540 {
-                                    if ((_e538.member_1 & 2147483648u) != 0u) {
-                                        phi_965_ = _e499;
-                                        phi_968_ = type_4(0u, ((_e538.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e700 = phi_1249_;
+                                let _e702 = phi_1250_;
+                                let _e704 = phi_1251_;
+                                if _e702 {
+                                    if ((_e700.member_1 & 2147483648u) != 0u) {
+                                        phi_1269_ = _e661;
+                                        phi_1272_ = type_4(0u, ((_e700.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1004 = phi_965_;
-                                            let _e1006 = phi_968_;
-                                            local_11 = _e1004;
-                                            if (_e1006.member < _e1006.member_1) {
-                                                phi_969_ = type_4((_e1006.member + 1u), _e1006.member_1);
-                                                phi_991_ = type_4(1u, _e1006.member);
+                                            let _e1172 = phi_1269_;
+                                            let _e1174 = phi_1272_;
+                                            local_11 = _e1172;
+                                            if (_e1174.member < _e1174.member_1) {
+                                                phi_1273_ = type_4((_e1174.member + 1u), _e1174.member_1);
+                                                phi_1295_ = type_4(1u, _e1174.member);
                                             } else {
-                                                phi_969_ = _e1006;
-                                                phi_991_ = type_4(0u, type_4().member_1);
+                                                phi_1273_ = _e1174;
+                                                phi_1295_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1019 = phi_969_;
-                                            let _e1021 = phi_991_;
-                                            let _e1025 = (bitcast<i32>(_e1021.member) != 0i);
-                                            if _e1025 {
-                                                let _e1026 = ((_e538.member_1 & 268435455u) + _e1021.member_1);
-                                                let _e1027 = (_e1026 < _e87);
-                                                if _e1027 {
-                                                    if _e1027 {
+                                            let _e1187 = phi_1273_;
+                                            let _e1189 = phi_1295_;
+                                            let _e1193 = (bitcast<i32>(_e1189.member) != 0i);
+                                            if _e1193 {
+                                                let _e1194 = ((_e700.member_1 & 268435455u) + _e1189.member_1);
+                                                let _e1195 = (_e1194 < _e94);
+                                                if _e1195 {
+                                                    if _e1195 {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1031 = global_2.member[_e1026].member_1;
-                                                    phi_1012_ = _e1031;
+                                                    let _e1199 = global_2.member[_e1194].member_1;
+                                                    phi_1316_ = _e1199;
                                                 } else {
-                                                    phi_1012_ = 4294967295u;
+                                                    phi_1316_ = 4294967295u;
                                                 }
-                                                let _e1033 = phi_1012_;
-                                                if (_e1026 >= _e87) {
-                                                    phi_1101_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1201 = phi_1316_;
+                                                if (_e1194 >= _e94) {
+                                                    phi_1405_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1027 {
+                                                    if _e1195 {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    if (_e459 < 9u) {
+                                                    if (_e621 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1040 = global_2.member[_e1026].member[_e459];
-                                                    if (_e465 < 9u) {
+                                                    let _e1208 = global_2.member[_e1194].member[_e621];
+                                                    if (_e627 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1046 = global_2.member[_e1026].member[_e465];
-                                                    if (_e471 < 9u) {
+                                                    let _e1214 = global_2.member[_e1194].member[_e627];
+                                                    if (_e633 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1052 = global_2.member[_e1026].member[_e471];
-                                                    let _e1054 = (3u + _e459);
-                                                    if (_e1054 < 9u) {
+                                                    let _e1220 = global_2.member[_e1194].member[_e633];
+                                                    let _e1222 = (3u + _e621);
+                                                    if (_e1222 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1060 = global_2.member[_e1026].member[_e1054];
-                                                    let _e1061 = (3u + _e465);
-                                                    if (_e1061 < 9u) {
+                                                    let _e1228 = global_2.member[_e1194].member[_e1222];
+                                                    let _e1229 = (3u + _e627);
+                                                    if (_e1229 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1067 = global_2.member[_e1026].member[_e1061];
-                                                    let _e1068 = (3u + _e471);
-                                                    if (_e1068 < 9u) {
+                                                    let _e1235 = global_2.member[_e1194].member[_e1229];
+                                                    let _e1236 = (3u + _e633);
+                                                    if (_e1236 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1074 = global_2.member[_e1026].member[_e1068];
-                                                    let _e1076 = (6u + _e459);
-                                                    if (_e1076 < 9u) {
+                                                    let _e1242 = global_2.member[_e1194].member[_e1236];
+                                                    let _e1244 = (6u + _e621);
+                                                    if (_e1244 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1082 = global_2.member[_e1026].member[_e1076];
-                                                    let _e1083 = (6u + _e465);
-                                                    if (_e1083 < 9u) {
+                                                    let _e1250 = global_2.member[_e1194].member[_e1244];
+                                                    let _e1251 = (6u + _e627);
+                                                    if (_e1251 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1089 = global_2.member[_e1026].member[_e1083];
-                                                    let _e1090 = (6u + _e471);
-                                                    if (_e1090 < 9u) {
+                                                    let _e1257 = global_2.member[_e1194].member[_e1251];
+                                                    let _e1258 = (6u + _e633);
+                                                    if (_e1258 < 9u) {
                                                     } else {
-                                                        phi_3444_ = true;
+                                                        phi_3854_ = true;
                                                         break;
                                                     }
-                                                    let _e1096 = global_2.member[_e1026].member[_e1090];
-                                                    phi_1101_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1040, _e1046, _e1052), array<f32, 3>(_e1060, _e1067, _e1074), array<f32, 3>(_e1082, _e1089, _e1096));
+                                                    let _e1264 = global_2.member[_e1194].member[_e1258];
+                                                    phi_1405_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1208, _e1214, _e1220), array<f32, 3>(_e1228, _e1235, _e1242), array<f32, 3>(_e1250, _e1257, _e1264));
                                                 }
-                                                let _e1100 = phi_1101_;
-                                                let _e1108 = (_e1100[0][2] - _e381);
-                                                let _e1111 = (((_e1100[0][0] - _e304) * _e405) - (_e1108 * _e329));
-                                                let _e1114 = (((_e1100[0][1] - _e343) * _e405) - (_e1108 * _e367));
-                                                let _e1121 = (_e1100[1][2] - _e381);
-                                                let _e1124 = (((_e1100[1][0] - _e304) * _e405) - (_e1121 * _e329));
-                                                let _e1127 = (((_e1100[1][1] - _e343) * _e405) - (_e1121 * _e367));
-                                                let _e1134 = (_e1100[2][2] - _e381);
-                                                let _e1137 = (((_e1100[2][0] - _e304) * _e405) - (_e1134 * _e329));
-                                                let _e1140 = (((_e1100[2][1] - _e343) * _e405) - (_e1134 * _e367));
-                                                let _e1141 = (_e1137 * _e1127);
-                                                let _e1142 = (_e1140 * _e1124);
-                                                let _e1143 = (_e1111 * _e1140);
-                                                let _e1144 = (_e1114 * _e1137);
-                                                let _e1145 = (_e1124 * _e1114);
-                                                let _e1146 = (_e1127 * _e1111);
-                                                let _e1151 = (((_e1141 >= _e1142) && (_e1143 >= _e1144)) && (_e1145 >= _e1146));
-                                                if (_e1151 || (((_e1141 <= _e1142) && (_e1143 <= _e1144)) && (_e1145 <= _e1146))) {
-                                                    let _e1158 = select(-1f, 1f, _e1151);
-                                                    let _e1160 = ((_e1141 - _e1142) * _e1158);
-                                                    let _e1162 = select(0f, _e1160, (_e1160 > 0f));
-                                                    let _e1164 = ((_e1143 - _e1144) * _e1158);
-                                                    let _e1166 = select(0f, _e1164, (_e1164 > 0f));
-                                                    let _e1168 = ((_e1145 - _e1146) * _e1158);
-                                                    let _e1170 = select(0f, _e1168, (_e1168 > 0f));
-                                                    let _e1172 = ((_e1162 + _e1166) + _e1170);
-                                                    if (_e1172 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1926_ = type_21();
-                                                        phi_1927_ = true;
-                                                        phi_1928_ = false;
+                                                let _e1268 = phi_1405_;
+                                                let _e1276 = (_e1268[0][2] - _e463);
+                                                let _e1279 = (((_e1268[0][0] - _e326) * _e502) - (_e1276 * _e366));
+                                                let _e1282 = (((_e1268[0][1] - _e395) * _e502) - (_e1276 * _e434));
+                                                let _e1289 = (_e1268[1][2] - _e463);
+                                                let _e1292 = (((_e1268[1][0] - _e326) * _e502) - (_e1289 * _e366));
+                                                let _e1295 = (((_e1268[1][1] - _e395) * _e502) - (_e1289 * _e434));
+                                                let _e1302 = (_e1268[2][2] - _e463);
+                                                let _e1305 = (((_e1268[2][0] - _e326) * _e502) - (_e1302 * _e366));
+                                                let _e1308 = (((_e1268[2][1] - _e395) * _e502) - (_e1302 * _e434));
+                                                let _e1309 = (_e1305 * _e1295);
+                                                let _e1310 = (_e1308 * _e1292);
+                                                let _e1311 = (_e1279 * _e1308);
+                                                let _e1312 = (_e1282 * _e1305);
+                                                let _e1313 = (_e1292 * _e1282);
+                                                let _e1314 = (_e1295 * _e1279);
+                                                let _e1319 = (((_e1309 >= _e1310) && (_e1311 >= _e1312)) && (_e1313 >= _e1314));
+                                                if (_e1319 || (((_e1309 <= _e1310) && (_e1311 <= _e1312)) && (_e1313 <= _e1314))) {
+                                                    let _e1326 = select(-1f, 1f, _e1319);
+                                                    let _e1328 = ((_e1309 - _e1310) * _e1326);
+                                                    let _e1330 = select(0f, _e1328, (_e1328 > 0f));
+                                                    let _e1332 = ((_e1311 - _e1312) * _e1326);
+                                                    let _e1334 = select(0f, _e1332, (_e1332 > 0f));
+                                                    let _e1336 = ((_e1313 - _e1314) * _e1326);
+                                                    let _e1338 = select(0f, _e1336, (_e1336 > 0f));
+                                                    let _e1340 = ((_e1330 + _e1334) + _e1338);
+                                                    if (_e1340 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2230_ = type_21();
+                                                        phi_2231_ = true;
+                                                        phi_2232_ = false;
                                                     } else {
-                                                        let _e1175 = select(_e1124, _e1111, (_e1111 < _e1124));
-                                                        if (select(_e1137, _e1175, (_e1175 < _e1137)) > 0f) {
-                                                            phi_1218_ = true;
+                                                        let _e1343 = select(_e1292, _e1279, (_e1279 < _e1292));
+                                                        if (select(_e1305, _e1343, (_e1343 < _e1305)) > 0f) {
+                                                            phi_1522_ = true;
                                                         } else {
-                                                            let _e1180 = select(_e1124, _e1111, (_e1111 > _e1124));
-                                                            phi_1218_ = (select(_e1137, _e1180, (_e1180 > _e1137)) < 0f);
+                                                            let _e1348 = select(_e1292, _e1279, (_e1279 > _e1292));
+                                                            phi_1522_ = (select(_e1305, _e1348, (_e1348 > _e1305)) < 0f);
                                                         }
-                                                        let _e1185 = phi_1218_;
-                                                        if _e1185 {
-                                                            phi_1923_ = type_21();
-                                                            phi_1924_ = true;
-                                                            phi_1925_ = false;
+                                                        let _e1353 = phi_1522_;
+                                                        if _e1353 {
+                                                            phi_2227_ = type_21();
+                                                            phi_2228_ = true;
+                                                            phi_2229_ = false;
                                                         } else {
-                                                            let _e1187 = select(_e1127, _e1114, (_e1114 < _e1127));
-                                                            if (select(_e1140, _e1187, (_e1187 < _e1140)) > 0f) {
-                                                                phi_1247_ = true;
+                                                            let _e1355 = select(_e1295, _e1282, (_e1282 < _e1295));
+                                                            if (select(_e1308, _e1355, (_e1355 < _e1308)) > 0f) {
+                                                                phi_1551_ = true;
                                                             } else {
-                                                                let _e1192 = select(_e1127, _e1114, (_e1114 > _e1127));
-                                                                phi_1247_ = (select(_e1140, _e1192, (_e1192 > _e1140)) < 0f);
+                                                                let _e1360 = select(_e1295, _e1282, (_e1282 > _e1295));
+                                                                phi_1551_ = (select(_e1308, _e1360, (_e1360 > _e1308)) < 0f);
                                                             }
-                                                            let _e1197 = phi_1247_;
-                                                            if _e1197 {
-                                                                phi_1921_ = type_21();
-                                                                phi_1922_ = false;
+                                                            let _e1365 = phi_1551_;
+                                                            if _e1365 {
+                                                                phi_2225_ = type_21();
+                                                                phi_2226_ = false;
                                                             } else {
-                                                                let _e1199 = select(_e1100[1][0], _e1100[0][0], (_e1100[0][0] < _e1100[1][0]));
-                                                                let _e1203 = select(_e1100[1][0], _e1100[0][0], (_e1100[0][0] > _e1100[1][0]));
-                                                                let _e1207 = select(_e1100[1][1], _e1100[0][1], (_e1100[0][1] < _e1100[1][1]));
-                                                                let _e1211 = select(_e1100[1][1], _e1100[0][1], (_e1100[0][1] > _e1100[1][1]));
-                                                                let _e1215 = select(_e1100[1][2], _e1100[0][2], (_e1100[0][2] < _e1100[1][2]));
-                                                                let _e1219 = select(_e1100[1][2], _e1100[0][2], (_e1100[0][2] > _e1100[1][2]));
-                                                                let _e1224 = ((select(_e1100[2][0], _e1199, (_e1199 < _e1100[2][0])) - _e327) * _e332);
-                                                                let _e1225 = ((select(_e1100[2][0], _e1203, (_e1203 > _e1100[2][0])) - _e328) * _e332);
-                                                                let _e1228 = ((select(_e1100[2][1], _e1207, (_e1207 < _e1100[2][1])) - _e365) * _e370);
-                                                                let _e1229 = ((select(_e1100[2][1], _e1211, (_e1211 > _e1100[2][1])) - _e366) * _e370);
-                                                                let _e1232 = ((select(_e1100[2][2], _e1215, (_e1215 < _e1100[2][2])) - _e403) * _e408);
-                                                                let _e1233 = ((select(_e1100[2][2], _e1219, (_e1219 > _e1100[2][2])) - _e404) * _e408);
-                                                                let _e1235 = select(_e1233, _e1232, (_e1232 < _e1233));
-                                                                let _e1237 = select(_e1233, _e1232, (_e1232 > _e1233));
-                                                                let _e1239 = select(_e1225, _e1224, (_e1224 < _e1225));
-                                                                let _e1241 = select(_e1229, _e1228, (_e1228 < _e1229));
-                                                                let _e1243 = select(_e1241, _e1239, (_e1239 > _e1241));
-                                                                let _e1245 = select(_e1235, _e1243, (_e1243 > _e1235));
-                                                                let _e1247 = select(_e1225, _e1224, (_e1224 > _e1225));
-                                                                let _e1249 = select(_e1229, _e1228, (_e1228 > _e1229));
-                                                                let _e1251 = select(_e1249, _e1247, (_e1247 < _e1249));
-                                                                let _e1253 = select(_e1237, _e1251, (_e1251 < _e1237));
-                                                                let _e1254 = -(_e1235);
-                                                                let _e1260 = select(_e455, _e1245, (_e1245 > _e455));
-                                                                if (_e1260 > (_e1253 + (select(_e1254, _e1237, (_e1237 > _e1254)) * 0.0000019073523f))) {
-                                                                    phi_1916_ = type_21();
-                                                                    phi_1917_ = true;
+                                                                let _e1367 = select(_e1268[1][0], _e1268[0][0], (_e1268[0][0] < _e1268[1][0]));
+                                                                let _e1371 = select(_e1268[1][0], _e1268[0][0], (_e1268[0][0] > _e1268[1][0]));
+                                                                let _e1375 = select(_e1268[1][1], _e1268[0][1], (_e1268[0][1] < _e1268[1][1]));
+                                                                let _e1379 = select(_e1268[1][1], _e1268[0][1], (_e1268[0][1] > _e1268[1][1]));
+                                                                let _e1383 = select(_e1268[1][2], _e1268[0][2], (_e1268[0][2] < _e1268[1][2]));
+                                                                let _e1387 = select(_e1268[1][2], _e1268[0][2], (_e1268[0][2] > _e1268[1][2]));
+                                                                let _e1392 = ((select(_e1268[2][0], _e1367, (_e1367 < _e1268[2][0])) - _e364) * _e369);
+                                                                let _e1393 = ((select(_e1268[2][0], _e1371, (_e1371 > _e1268[2][0])) - _e365) * _e369);
+                                                                let _e1396 = ((select(_e1268[2][1], _e1375, (_e1375 < _e1268[2][1])) - _e432) * _e437);
+                                                                let _e1397 = ((select(_e1268[2][1], _e1379, (_e1379 > _e1268[2][1])) - _e433) * _e437);
+                                                                let _e1400 = ((select(_e1268[2][2], _e1383, (_e1383 < _e1268[2][2])) - _e500) * _e505);
+                                                                let _e1401 = ((select(_e1268[2][2], _e1387, (_e1387 > _e1268[2][2])) - _e501) * _e505);
+                                                                let _e1403 = select(_e1401, _e1400, (_e1400 < _e1401));
+                                                                let _e1405 = select(_e1401, _e1400, (_e1400 > _e1401));
+                                                                let _e1407 = select(_e1393, _e1392, (_e1392 < _e1393));
+                                                                let _e1409 = select(_e1397, _e1396, (_e1396 < _e1397));
+                                                                let _e1411 = select(_e1409, _e1407, (_e1407 > _e1409));
+                                                                let _e1413 = select(_e1403, _e1411, (_e1411 > _e1403));
+                                                                let _e1415 = select(_e1393, _e1392, (_e1392 > _e1393));
+                                                                let _e1417 = select(_e1397, _e1396, (_e1396 > _e1397));
+                                                                let _e1419 = select(_e1417, _e1415, (_e1415 < _e1417));
+                                                                let _e1421 = select(_e1405, _e1419, (_e1419 < _e1405));
+                                                                let _e1422 = -(_e1403);
+                                                                let _e1428 = select(_e617, _e1413, (_e1413 > _e617));
+                                                                if (_e1428 > (_e1421 + (select(_e1422, _e1405, (_e1405 > _e1422)) * 0.0000019073523f))) {
+                                                                    phi_2220_ = type_21();
+                                                                    phi_2221_ = true;
                                                                 } else {
-                                                                    let _e1262 = (_e1260 > _e1004.member_1);
-                                                                    if _e1262 {
-                                                                        phi_1915_ = type_21();
+                                                                    let _e1430 = (_e1428 > _e1172.member_1);
+                                                                    if _e1430 {
+                                                                        phi_2219_ = type_21();
                                                                     } else {
-                                                                        let _e1263 = vec3<f32>(_e1100[0][0], _e1100[0][1], _e1100[0][2]);
-                                                                        let _e1264 = vec3<f32>(_e1100[1][0], _e1100[1][1], _e1100[1][2]);
-                                                                        let _e1265 = vec3<f32>(_e1100[2][0], _e1100[2][1], _e1100[2][2]);
-                                                                        let _e1266 = (_e1100[1][0] - _e1100[0][0]);
-                                                                        let _e1267 = (_e1100[1][1] - _e1100[0][1]);
-                                                                        let _e1268 = (_e1100[1][2] - _e1100[0][2]);
-                                                                        let _e1269 = vec3<f32>(_e1266, _e1267, _e1268);
-                                                                        let _e1270 = (_e1100[2][0] - _e1100[1][0]);
-                                                                        let _e1271 = (_e1100[2][1] - _e1100[1][1]);
-                                                                        let _e1272 = (_e1100[2][2] - _e1100[1][2]);
-                                                                        let _e1273 = vec3<f32>(_e1270, _e1271, _e1272);
-                                                                        let _e1274 = (_e1100[0][0] - _e1100[2][0]);
-                                                                        let _e1275 = (_e1100[0][1] - _e1100[2][1]);
-                                                                        let _e1276 = (_e1100[0][2] - _e1100[2][2]);
-                                                                        let _e1277 = vec3<f32>(_e1274, _e1275, _e1276);
-                                                                        let _e1280 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
-                                                                        let _e1283 = bitcast<f32>((bitcast<u32>(_e1267) & 2147483647u));
-                                                                        let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
-                                                                        let _e1288 = bitcast<f32>((bitcast<u32>(_e1268) & 2147483647u));
-                                                                        let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
-                                                                        let _e1293 = bitcast<f32>((bitcast<u32>(_e1270) & 2147483647u));
-                                                                        let _e1296 = bitcast<f32>((bitcast<u32>(_e1271) & 2147483647u));
-                                                                        let _e1298 = select(_e1296, _e1293, (_e1293 > _e1296));
-                                                                        let _e1301 = bitcast<f32>((bitcast<u32>(_e1272) & 2147483647u));
-                                                                        let _e1303 = select(_e1301, _e1298, (_e1298 > _e1301));
-                                                                        let _e1306 = bitcast<f32>((bitcast<u32>(_e1274) & 2147483647u));
-                                                                        let _e1309 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
-                                                                        let _e1311 = select(_e1309, _e1306, (_e1306 > _e1309));
-                                                                        let _e1314 = bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u));
-                                                                        let _e1316 = select(_e1314, _e1311, (_e1311 > _e1314));
-                                                                        let _e1318 = select(_e1303, _e1290, (_e1290 > _e1303));
-                                                                        let _e1320 = select(_e1316, _e1318, (_e1318 > _e1316));
-                                                                        if (_e1290 == _e1320) {
-                                                                            phi_1648_ = _e1127;
-                                                                            phi_1649_ = _e1124;
-                                                                            phi_1650_ = _e1114;
-                                                                            phi_1651_ = _e1111;
-                                                                            phi_1652_ = _e1263;
-                                                                            phi_1653_ = _e1277;
-                                                                            phi_1654_ = _e1273;
-                                                                            phi_1655_ = _e1269;
+                                                                        let _e1431 = vec3<f32>(_e1268[0][0], _e1268[0][1], _e1268[0][2]);
+                                                                        let _e1432 = vec3<f32>(_e1268[1][0], _e1268[1][1], _e1268[1][2]);
+                                                                        let _e1433 = vec3<f32>(_e1268[2][0], _e1268[2][1], _e1268[2][2]);
+                                                                        let _e1434 = (_e1268[1][0] - _e1268[0][0]);
+                                                                        let _e1435 = (_e1268[1][1] - _e1268[0][1]);
+                                                                        let _e1436 = (_e1268[1][2] - _e1268[0][2]);
+                                                                        let _e1437 = vec3<f32>(_e1434, _e1435, _e1436);
+                                                                        let _e1438 = (_e1268[2][0] - _e1268[1][0]);
+                                                                        let _e1439 = (_e1268[2][1] - _e1268[1][1]);
+                                                                        let _e1440 = (_e1268[2][2] - _e1268[1][2]);
+                                                                        let _e1441 = vec3<f32>(_e1438, _e1439, _e1440);
+                                                                        let _e1442 = (_e1268[0][0] - _e1268[2][0]);
+                                                                        let _e1443 = (_e1268[0][1] - _e1268[2][1]);
+                                                                        let _e1444 = (_e1268[0][2] - _e1268[2][2]);
+                                                                        let _e1445 = vec3<f32>(_e1442, _e1443, _e1444);
+                                                                        let _e1448 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
+                                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
+                                                                        let _e1453 = select(_e1451, _e1448, (_e1448 > _e1451));
+                                                                        let _e1456 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
+                                                                        let _e1458 = select(_e1456, _e1453, (_e1453 > _e1456));
+                                                                        let _e1461 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
+                                                                        let _e1464 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
+                                                                        let _e1466 = select(_e1464, _e1461, (_e1461 > _e1464));
+                                                                        let _e1469 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
+                                                                        let _e1471 = select(_e1469, _e1466, (_e1466 > _e1469));
+                                                                        let _e1474 = bitcast<f32>((bitcast<u32>(_e1442) & 2147483647u));
+                                                                        let _e1477 = bitcast<f32>((bitcast<u32>(_e1443) & 2147483647u));
+                                                                        let _e1479 = select(_e1477, _e1474, (_e1474 > _e1477));
+                                                                        let _e1482 = bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u));
+                                                                        let _e1484 = select(_e1482, _e1479, (_e1479 > _e1482));
+                                                                        let _e1486 = select(_e1471, _e1458, (_e1458 > _e1471));
+                                                                        let _e1488 = select(_e1484, _e1486, (_e1486 > _e1484));
+                                                                        if (_e1458 == _e1488) {
+                                                                            phi_1952_ = _e1295;
+                                                                            phi_1953_ = _e1292;
+                                                                            phi_1954_ = _e1282;
+                                                                            phi_1955_ = _e1279;
+                                                                            phi_1956_ = _e1431;
+                                                                            phi_1957_ = _e1445;
+                                                                            phi_1958_ = _e1441;
+                                                                            phi_1959_ = _e1437;
                                                                         } else {
-                                                                            let _e1322 = (_e1303 == _e1320);
-                                                                            let _e1327 = vec3(_e1322);
-                                                                            phi_1648_ = select(_e1114, _e1140, _e1322);
-                                                                            phi_1649_ = select(_e1111, _e1137, _e1322);
-                                                                            phi_1650_ = select(_e1140, _e1127, _e1322);
-                                                                            phi_1651_ = select(_e1137, _e1124, _e1322);
-                                                                            phi_1652_ = select(_e1265, _e1264, _e1327);
-                                                                            phi_1653_ = select(_e1273, _e1269, _e1327);
-                                                                            phi_1654_ = select(_e1269, _e1277, _e1327);
-                                                                            phi_1655_ = select(_e1277, _e1273, _e1327);
+                                                                            let _e1490 = (_e1471 == _e1488);
+                                                                            let _e1495 = vec3(_e1490);
+                                                                            phi_1952_ = select(_e1282, _e1308, _e1490);
+                                                                            phi_1953_ = select(_e1279, _e1305, _e1490);
+                                                                            phi_1954_ = select(_e1308, _e1295, _e1490);
+                                                                            phi_1955_ = select(_e1305, _e1292, _e1490);
+                                                                            phi_1956_ = select(_e1433, _e1432, _e1495);
+                                                                            phi_1957_ = select(_e1441, _e1437, _e1495);
+                                                                            phi_1958_ = select(_e1437, _e1445, _e1495);
+                                                                            phi_1959_ = select(_e1445, _e1441, _e1495);
                                                                         }
-                                                                        let _e1333 = phi_1648_;
-                                                                        let _e1335 = phi_1649_;
-                                                                        let _e1337 = phi_1650_;
-                                                                        let _e1339 = phi_1651_;
-                                                                        let _e1341 = phi_1652_;
-                                                                        let _e1343 = phi_1653_;
-                                                                        let _e1345 = phi_1654_;
-                                                                        let _e1347 = phi_1655_;
-                                                                        let _e1354 = ((_e1345.y * _e1343.z) - (_e1343.y * _e1345.z));
-                                                                        let _e1359 = ((_e1345.z * _e1343.x) - (_e1343.z * _e1345.x));
-                                                                        let _e1362 = ((_e1345.x * _e1343.y) - (_e1343.x * _e1345.y));
-                                                                        if (_e1162 >= _e1166) {
-                                                                            phi_1686_ = select(true, false, (_e1162 >= _e1170));
+                                                                        let _e1501 = phi_1952_;
+                                                                        let _e1503 = phi_1953_;
+                                                                        let _e1505 = phi_1954_;
+                                                                        let _e1507 = phi_1955_;
+                                                                        let _e1509 = phi_1956_;
+                                                                        let _e1511 = phi_1957_;
+                                                                        let _e1513 = phi_1958_;
+                                                                        let _e1515 = phi_1959_;
+                                                                        let _e1522 = ((_e1513.y * _e1511.z) - (_e1511.y * _e1513.z));
+                                                                        let _e1527 = ((_e1513.z * _e1511.x) - (_e1511.z * _e1513.x));
+                                                                        let _e1530 = ((_e1513.x * _e1511.y) - (_e1511.x * _e1513.y));
+                                                                        if (_e1330 >= _e1334) {
+                                                                            phi_1990_ = select(true, false, (_e1330 >= _e1338));
                                                                         } else {
-                                                                            phi_1686_ = true;
+                                                                            phi_1990_ = true;
                                                                         }
-                                                                        let _e1367 = phi_1686_;
-                                                                        if _e1367 {
-                                                                            phi_1695_ = select(_e1265, _e1264, vec3((_e1166 >= _e1170)));
+                                                                        let _e1535 = phi_1990_;
+                                                                        if _e1535 {
+                                                                            phi_1999_ = select(_e1433, _e1432, vec3((_e1334 >= _e1338)));
                                                                         } else {
-                                                                            phi_1695_ = _e1263;
+                                                                            phi_1999_ = _e1431;
                                                                         }
-                                                                        let _e1372 = phi_1695_;
-                                                                        let _e1383 = (((_e1354 * (_e1372.x - _e304)) + (_e1359 * (_e1372.y - _e343))) + (_e1362 * (_e1372.z - _e381)));
-                                                                        let _e1388 = (((_e1354 * _e329) + (_e1359 * _e367)) + (_e1362 * _e405));
-                                                                        let _e1389 = (_e1335 - _e1339);
-                                                                        let _e1390 = (_e1333 - _e1337);
-                                                                        let _e1398 = (-(((_e1339 * _e1389) + (_e1337 * _e1390))) / ((_e1389 * _e1389) + (_e1390 * _e1390)));
-                                                                        let _e1400 = select(1f, _e1398, (_e1398 < 1f));
-                                                                        let _e1402 = select(0f, _e1400, (_e1400 > 0f));
-                                                                        let _e1415 = ((_e1341.x + (_e1347.x * _e1402)) - _e304);
-                                                                        let _e1416 = ((_e1341.y + (_e1347.y * _e1402)) - _e343);
-                                                                        let _e1417 = ((_e1341.z + (_e1347.z * _e1402)) - _e381);
-                                                                        let _e1418 = (_e1417 / _e405);
-                                                                        let _e1430 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
-                                                                        let _e1433 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
-                                                                        let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
-                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
-                                                                        let _e1440 = select(_e1438, _e1435, (_e1435 > _e1438));
-                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1354) & 2147483647u));
-                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u));
-                                                                        let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
-                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1354 * _e1415) + (_e1359 * _e1416)) + (_e1362 * _e1417)) - _e1383)) & 2147483647u)) <= ((0.0000009536743f * select(_e1320, _e1440, (_e1440 > _e1320))) * select(_e1454, _e1451, (_e1451 > _e1454)))) {
-                                                                            let _e1464 = bitcast<f32>((bitcast<u32>(_e1345.x) & 2147483647u));
-                                                                            let _e1467 = bitcast<f32>((bitcast<u32>(_e1345.y) & 2147483647u));
-                                                                            let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
-                                                                            let _e1472 = bitcast<f32>((bitcast<u32>(_e1345.z) & 2147483647u));
-                                                                            let _e1478 = bitcast<f32>((bitcast<u32>(_e1343.x) & 2147483647u));
-                                                                            let _e1481 = bitcast<f32>((bitcast<u32>(_e1343.y) & 2147483647u));
-                                                                            let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
-                                                                            let _e1486 = bitcast<f32>((bitcast<u32>(_e1343.z) & 2147483647u));
-                                                                            let _e1490 = (bitcast<f32>((bitcast<u32>(_e1388) & 2147483647u)) > ((0.0000038146973f * select(_e1472, _e1469, (_e1469 > _e1472))) * select(_e1486, _e1483, (_e1483 > _e1486))));
-                                                                            if _e1490 {
-                                                                                phi_1860_ = (_e1383 / _e1388);
+                                                                        let _e1540 = phi_1999_;
+                                                                        let _e1551 = (((_e1522 * (_e1540.x - _e326)) + (_e1527 * (_e1540.y - _e395))) + (_e1530 * (_e1540.z - _e463)));
+                                                                        let _e1556 = (((_e1522 * _e366) + (_e1527 * _e434)) + (_e1530 * _e502));
+                                                                        let _e1557 = (_e1503 - _e1507);
+                                                                        let _e1558 = (_e1501 - _e1505);
+                                                                        let _e1566 = (-(((_e1507 * _e1557) + (_e1505 * _e1558))) / ((_e1557 * _e1557) + (_e1558 * _e1558)));
+                                                                        let _e1568 = select(1f, _e1566, (_e1566 < 1f));
+                                                                        let _e1570 = select(0f, _e1568, (_e1568 > 0f));
+                                                                        let _e1583 = ((_e1509.x + (_e1515.x * _e1570)) - _e326);
+                                                                        let _e1584 = ((_e1509.y + (_e1515.y * _e1570)) - _e395);
+                                                                        let _e1585 = ((_e1509.z + (_e1515.z * _e1570)) - _e463);
+                                                                        let _e1586 = (_e1585 / _e502);
+                                                                        let _e1598 = bitcast<f32>((bitcast<u32>(_e1583) & 2147483647u));
+                                                                        let _e1601 = bitcast<f32>((bitcast<u32>(_e1584) & 2147483647u));
+                                                                        let _e1603 = select(_e1601, _e1598, (_e1598 > _e1601));
+                                                                        let _e1606 = bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u));
+                                                                        let _e1608 = select(_e1606, _e1603, (_e1603 > _e1606));
+                                                                        let _e1614 = bitcast<f32>((bitcast<u32>(_e1522) & 2147483647u));
+                                                                        let _e1617 = bitcast<f32>((bitcast<u32>(_e1527) & 2147483647u));
+                                                                        let _e1619 = select(_e1617, _e1614, (_e1614 > _e1617));
+                                                                        let _e1622 = bitcast<f32>((bitcast<u32>(_e1530) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1522 * _e1583) + (_e1527 * _e1584)) + (_e1530 * _e1585)) - _e1551)) & 2147483647u)) <= ((0.0000009536743f * select(_e1488, _e1608, (_e1608 > _e1488))) * select(_e1622, _e1619, (_e1619 > _e1622)))) {
+                                                                            let _e1632 = bitcast<f32>((bitcast<u32>(_e1513.x) & 2147483647u));
+                                                                            let _e1635 = bitcast<f32>((bitcast<u32>(_e1513.y) & 2147483647u));
+                                                                            let _e1637 = select(_e1635, _e1632, (_e1632 > _e1635));
+                                                                            let _e1640 = bitcast<f32>((bitcast<u32>(_e1513.z) & 2147483647u));
+                                                                            let _e1646 = bitcast<f32>((bitcast<u32>(_e1511.x) & 2147483647u));
+                                                                            let _e1649 = bitcast<f32>((bitcast<u32>(_e1511.y) & 2147483647u));
+                                                                            let _e1651 = select(_e1649, _e1646, (_e1646 > _e1649));
+                                                                            let _e1654 = bitcast<f32>((bitcast<u32>(_e1511.z) & 2147483647u));
+                                                                            let _e1658 = (bitcast<f32>((bitcast<u32>(_e1556) & 2147483647u)) > ((0.0000038146973f * select(_e1640, _e1637, (_e1637 > _e1640))) * select(_e1654, _e1651, (_e1651 > _e1654))));
+                                                                            if _e1658 {
+                                                                                phi_2164_ = (_e1551 / _e1556);
                                                                             } else {
-                                                                                phi_1860_ = f32();
+                                                                                phi_2164_ = f32();
                                                                             }
-                                                                            let _e1493 = phi_1860_;
-                                                                            phi_1862_ = _e1493;
-                                                                            phi_1863_ = select(true, false, _e1490);
+                                                                            let _e1661 = phi_2164_;
+                                                                            phi_2166_ = _e1661;
+                                                                            phi_2167_ = select(true, false, _e1658);
                                                                         } else {
-                                                                            phi_1862_ = f32();
-                                                                            phi_1863_ = true;
+                                                                            phi_2166_ = f32();
+                                                                            phi_2167_ = true;
                                                                         }
-                                                                        let _e1496 = phi_1862_;
-                                                                        let _e1498 = phi_1863_;
-                                                                        if _e1498 {
-                                                                            let _e1506 = (((_e1354 * (_e1415 - (_e329 * _e1418))) + (_e1359 * (_e1416 - (_e367 * _e1418)))) / _e1388);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1506) & 2147483647u)) <= _e1320) {
-                                                                                phi_1883_ = (_e1418 + _e1506);
+                                                                        let _e1664 = phi_2166_;
+                                                                        let _e1666 = phi_2167_;
+                                                                        if _e1666 {
+                                                                            let _e1674 = (((_e1522 * (_e1583 - (_e366 * _e1586))) + (_e1527 * (_e1584 - (_e434 * _e1586)))) / _e1556);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1674) & 2147483647u)) <= _e1488) {
+                                                                                phi_2187_ = (_e1586 + _e1674);
                                                                             } else {
-                                                                                phi_1883_ = _e1418;
+                                                                                phi_2187_ = _e1586;
                                                                             }
-                                                                            let _e1513 = phi_1883_;
-                                                                            phi_1884_ = _e1513;
+                                                                            let _e1681 = phi_2187_;
+                                                                            phi_2188_ = _e1681;
                                                                         } else {
-                                                                            phi_1884_ = _e1496;
+                                                                            phi_2188_ = _e1664;
                                                                         }
-                                                                        let _e1515 = phi_1884_;
-                                                                        let _e1517 = select(_e1253, _e1515, (_e1515 < _e1253));
-                                                                        let _e1519 = select(_e1245, _e1517, (_e1517 > _e1245));
-                                                                        if (_e1519 >= _e455) {
-                                                                            let _e1521 = (_e1519 <= _e1004.member_1);
-                                                                            if _e1521 {
-                                                                                let _e1522 = (1f / _e1172);
-                                                                                phi_1907_ = type_21(_e1519, (_e1166 * _e1522), (_e1170 * _e1522), _e1033);
+                                                                        let _e1683 = phi_2188_;
+                                                                        let _e1685 = select(_e1421, _e1683, (_e1683 < _e1421));
+                                                                        let _e1687 = select(_e1413, _e1685, (_e1685 > _e1413));
+                                                                        if (_e1687 >= _e617) {
+                                                                            let _e1689 = (_e1687 <= _e1172.member_1);
+                                                                            if _e1689 {
+                                                                                let _e1690 = (1f / _e1340);
+                                                                                phi_2211_ = type_21(_e1687, (_e1334 * _e1690), (_e1338 * _e1690), _e1201);
                                                                             } else {
-                                                                                phi_1907_ = type_21();
+                                                                                phi_2211_ = type_21();
                                                                             }
-                                                                            let _e1527 = phi_1907_;
-                                                                            phi_1909_ = _e1527;
-                                                                            phi_1910_ = select(true, false, _e1521);
+                                                                            let _e1695 = phi_2211_;
+                                                                            phi_2213_ = _e1695;
+                                                                            phi_2214_ = select(true, false, _e1689);
                                                                         } else {
-                                                                            phi_1909_ = type_21();
-                                                                            phi_1910_ = true;
+                                                                            phi_2213_ = type_21();
+                                                                            phi_2214_ = true;
                                                                         }
-                                                                        let _e1530 = phi_1909_;
-                                                                        let _e1532 = phi_1910_;
-                                                                        if _e1532 {
-                                                                            phi_1914_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1698 = phi_2213_;
+                                                                        let _e1700 = phi_2214_;
+                                                                        if _e1700 {
+                                                                            phi_2218_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1914_ = _e1530;
+                                                                            phi_2218_ = _e1698;
                                                                         }
-                                                                        let _e1534 = phi_1914_;
-                                                                        phi_1915_ = _e1534;
+                                                                        let _e1702 = phi_2218_;
+                                                                        phi_2219_ = _e1702;
                                                                     }
-                                                                    let _e1536 = phi_1915_;
-                                                                    phi_1916_ = _e1536;
-                                                                    phi_1917_ = _e1262;
+                                                                    let _e1704 = phi_2219_;
+                                                                    phi_2220_ = _e1704;
+                                                                    phi_2221_ = _e1430;
                                                                 }
-                                                                let _e1538 = phi_1916_;
-                                                                let _e1540 = phi_1917_;
-                                                                phi_1921_ = _e1538;
-                                                                phi_1922_ = _e1540;
+                                                                let _e1706 = phi_2220_;
+                                                                let _e1708 = phi_2221_;
+                                                                phi_2225_ = _e1706;
+                                                                phi_2226_ = _e1708;
                                                             }
-                                                            let _e1542 = phi_1921_;
-                                                            let _e1544 = phi_1922_;
-                                                            phi_1923_ = _e1542;
-                                                            phi_1924_ = _e1197;
-                                                            phi_1925_ = _e1544;
+                                                            let _e1710 = phi_2225_;
+                                                            let _e1712 = phi_2226_;
+                                                            phi_2227_ = _e1710;
+                                                            phi_2228_ = _e1365;
+                                                            phi_2229_ = _e1712;
                                                         }
-                                                        let _e1546 = phi_1923_;
-                                                        let _e1548 = phi_1924_;
-                                                        let _e1550 = phi_1925_;
-                                                        phi_1926_ = _e1546;
-                                                        phi_1927_ = _e1548;
-                                                        phi_1928_ = _e1550;
+                                                        let _e1714 = phi_2227_;
+                                                        let _e1716 = phi_2228_;
+                                                        let _e1718 = phi_2229_;
+                                                        phi_2230_ = _e1714;
+                                                        phi_2231_ = _e1716;
+                                                        phi_2232_ = _e1718;
                                                     }
-                                                    let _e1552 = phi_1926_;
-                                                    let _e1554 = phi_1927_;
-                                                    let _e1556 = phi_1928_;
-                                                    phi_1936_ = _e1552;
-                                                    phi_1937_ = select(_e1556, true, _e1554);
+                                                    let _e1720 = phi_2230_;
+                                                    let _e1722 = phi_2231_;
+                                                    let _e1724 = phi_2232_;
+                                                    phi_2240_ = _e1720;
+                                                    phi_2241_ = select(_e1724, true, _e1722);
                                                 } else {
-                                                    phi_1936_ = type_21();
-                                                    phi_1937_ = true;
+                                                    phi_2240_ = type_21();
+                                                    phi_2241_ = true;
                                                 }
-                                                let _e1559 = phi_1936_;
-                                                let _e1561 = phi_1937_;
-                                                if _e1561 {
-                                                    phi_1941_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1727 = phi_2240_;
+                                                let _e1729 = phi_2241_;
+                                                if _e1729 {
+                                                    phi_2245_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1941_ = _e1559;
+                                                    phi_2245_ = _e1727;
                                                 }
-                                                let _e1563 = phi_1941_;
-                                                if (_e1563.member_3 != 4294967295u) {
-                                                    if (_e1033 != 4294967295u) {
-                                                        if (_e1563.member < _e1004.member.member) {
-                                                            phi_1967_ = true;
+                                                let _e1731 = phi_2245_;
+                                                if (_e1731.member_3 != 4294967295u) {
+                                                    if (_e1201 != 4294967295u) {
+                                                        if (_e1731.member < _e1172.member.member) {
+                                                            phi_2271_ = true;
                                                         } else {
-                                                            if (_e1563.member == _e1004.member.member) {
-                                                                phi_1966_ = (_e1563.member_3 < _e1004.member.member_3);
+                                                            if (_e1731.member == _e1172.member.member) {
+                                                                phi_2270_ = (_e1731.member_3 < _e1172.member.member_3);
                                                             } else {
-                                                                phi_1966_ = false;
+                                                                phi_2270_ = false;
                                                             }
-                                                            let _e1576 = phi_1966_;
-                                                            phi_1967_ = _e1576;
+                                                            let _e1744 = phi_2270_;
+                                                            phi_2271_ = _e1744;
                                                         }
-                                                        let _e1578 = phi_1967_;
-                                                        if _e1578 {
-                                                            phi_1973_ = type_33(_e1563, _e1563.member);
+                                                        let _e1746 = phi_2271_;
+                                                        if _e1746 {
+                                                            phi_2277_ = type_33(_e1731, _e1731.member);
                                                         } else {
-                                                            phi_1973_ = _e1004;
+                                                            phi_2277_ = _e1172;
                                                         }
-                                                        let _e1581 = phi_1973_;
-                                                        phi_1974_ = _e1581;
+                                                        let _e1749 = phi_2277_;
+                                                        phi_2278_ = _e1749;
                                                     } else {
-                                                        phi_1974_ = _e1004;
+                                                        phi_2278_ = _e1172;
                                                     }
-                                                    let _e1583 = phi_1974_;
-                                                    phi_1975_ = _e1583;
+                                                    let _e1751 = phi_2278_;
+                                                    phi_2279_ = _e1751;
                                                 } else {
-                                                    phi_1975_ = _e1004;
+                                                    phi_2279_ = _e1172;
                                                 }
-                                                let _e1585 = phi_1975_;
-                                                phi_966_ = _e1585;
+                                                let _e1753 = phi_2279_;
+                                                phi_1270_ = _e1753;
                                             } else {
-                                                phi_966_ = type_33();
+                                                phi_1270_ = type_33();
                                             }
-                                            let _e1587 = phi_966_;
+                                            let _e1755 = phi_1270_;
                                             continue;
                                             continuing {
-                                                phi_965_ = _e1587;
-                                                phi_968_ = _e1019;
-                                                phi_3444_ = _e497;
-                                                break if !(_e1025);
+                                                phi_1269_ = _e1755;
+                                                phi_1272_ = _e1187;
+                                                phi_3854_ = _e659;
+                                                break if !(_e1193);
                                             }
                                         }
-                                        let _e1590 = phi_3444_;
-                                        phi_3586_ = _e1590;
-                                        if _e1590 {
+                                        let _e1758 = phi_3854_;
+                                        phi_4014_ = _e1758;
+                                        if _e1758 {
                                             break;
                                         }
-                                        phi_3590_ = _e1590;
-                                        let _e1784 = local_11;
-                                        phi_3180_ = _e1784;
-                                        phi_3181_ = _e538;
-                                        phi_3182_ = false;
-                                        phi_3183_ = _e542;
+                                        phi_4018_ = _e1758;
+                                        let _e2051 = local_11;
+                                        phi_3484_ = _e2051;
+                                        phi_3485_ = _e700;
+                                        phi_3486_ = false;
+                                        phi_3487_ = _e704;
                                     } else {
-                                        if (_e538.member_1 >= _e85) {
-                                            phi_2736_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e700.member_1 >= _e92) {
+                                            phi_3040_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e538.member_1 < _e85) {
+                                            if (_e700.member_1 < _e92) {
                                             } else {
-                                                phi_3586_ = true;
+                                                phi_4014_ = true;
                                                 break;
                                             }
-                                            let _e553 = (_e255 * 2u);
-                                            let _e555 = ((1u + _e553) % 7u);
-                                            if (_e555 < 7u) {
+                                            let _e715 = (_e262 * 2u);
+                                            let _e717 = ((1u + _e715) % 7u);
+                                            if (_e717 < 7u) {
                                             } else {
-                                                phi_3586_ = true;
+                                                phi_4014_ = true;
                                                 break;
                                             }
-                                            let _e560 = global_5.member[_e538.member_1][_e555];
-                                            let _e562 = ((_e553 + 2u) % 7u);
-                                            if (_e562 < 7u) {
+                                            let _e722 = global_5.member[_e700.member_1][_e717];
+                                            let _e724 = ((_e715 + 2u) % 7u);
+                                            if (_e724 < 7u) {
                                             } else {
-                                                phi_3586_ = true;
+                                                phi_4014_ = true;
                                                 break;
                                             }
-                                            let _e567 = global_5.member[_e538.member_1][_e562];
-                                            let _e568 = (_e254 * 2u);
-                                            let _e570 = ((1u + _e568) % 7u);
-                                            if (_e570 < 7u) {
+                                            let _e729 = global_5.member[_e700.member_1][_e724];
+                                            let _e730 = (_e261 * 2u);
+                                            let _e732 = ((1u + _e730) % 7u);
+                                            if (_e732 < 7u) {
                                             } else {
-                                                phi_3586_ = true;
+                                                phi_4014_ = true;
                                                 break;
                                             }
-                                            let _e575 = global_5.member[_e538.member_1][_e570];
-                                            let _e577 = ((_e568 + 2u) % 7u);
-                                            if (_e577 < 7u) {
+                                            let _e737 = global_5.member[_e700.member_1][_e732];
+                                            let _e739 = ((_e730 + 2u) % 7u);
+                                            if (_e739 < 7u) {
                                             } else {
-                                                phi_3586_ = true;
+                                                phi_4014_ = true;
                                                 break;
                                             }
-                                            let _e582 = global_5.member[_e538.member_1][_e577];
-                                            let _e583 = (_e256 * 2u);
-                                            let _e585 = ((1u + _e583) % 7u);
-                                            if (_e585 < 7u) {
+                                            let _e744 = global_5.member[_e700.member_1][_e739];
+                                            let _e745 = (_e263 * 2u);
+                                            let _e747 = ((1u + _e745) % 7u);
+                                            if (_e747 < 7u) {
                                             } else {
-                                                phi_3586_ = true;
+                                                phi_4014_ = true;
                                                 break;
                                             }
-                                            let _e590 = global_5.member[_e538.member_1][_e585];
-                                            let _e592 = ((_e583 + 2u) % 7u);
-                                            if (_e592 < 7u) {
+                                            let _e752 = global_5.member[_e700.member_1][_e747];
+                                            let _e754 = ((_e745 + 2u) % 7u);
+                                            if (_e754 < 7u) {
                                             } else {
-                                                phi_3586_ = true;
+                                                phi_4014_ = true;
                                                 break;
                                             }
-                                            let _e597 = global_5.member[_e538.member_1][_e592];
-                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.x - _e538.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.y - _e538.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.z - _e538.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e624 = select(_e135, _e620, (_e620 > _e135));
-                                            let _e626 = select(_e135, _e621, (_e621 > _e135));
-                                            let _e628 = select(_e135, _e622, (_e622 > _e135));
-                                            let _e653 = bitcast<u32>((f32(bitcast<i32>((_e560 & 2097151u))) * _e624));
-                                            let _e658 = (bitcast<i32>((_e560 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e661 = bitcast<f32>((_e653 & bitcast<u32>(_e658)));
-                                            let _e662 = bitcast<u32>((f32(bitcast<i32>((_e575 & 2097151u))) * _e626));
-                                            let _e667 = (bitcast<i32>((_e575 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
-                                            let _e671 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e628));
-                                            let _e676 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
-                                            let _e683 = bitcast<f32>((_e653 & bitcast<u32>(~(_e658))));
-                                            let _e687 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
-                                            let _e691 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
-                                            let _e692 = bitcast<u32>((f32(bitcast<i32>((_e567 & 2097151u))) * _e624));
-                                            let _e697 = (bitcast<i32>((_e567 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e700 = bitcast<f32>((_e692 & bitcast<u32>(_e697)));
-                                            let _e701 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e626));
-                                            let _e706 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
-                                            let _e710 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e628));
-                                            let _e715 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
-                                            let _e722 = bitcast<f32>((_e692 & bitcast<u32>(~(_e697))));
-                                            let _e726 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
-                                            let _e730 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
-                                            let _e760 = global_5.member[_e538.member_1][0u];
-                                            let _e764 = global_5.member[_e538.member_1][2u];
-                                            let _e768 = global_5.member[_e538.member_1][4u];
-                                            let _e772 = global_5.member[_e538.member_1][6u];
-                                            let _e784 = (((_e764 >> bitcast<u32>(22i)) | ((_e768 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e772 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e785 = (_e760 & 268435455u);
-                                            let _e786 = (_e784 & 268435455u);
-                                            let _e789 = ((_e760 >> bitcast<u32>(28u)) & 7u);
-                                            let _e797 = ((_e760 >> bitcast<u32>(31i)) | (((_e784 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e798 = (_e789 != 0u);
-                                            if (_e789 == 0u) {
-                                                phi_2698_ = _e785;
+                                            let _e759 = global_5.member[_e700.member_1][_e754];
+                                            let _e782 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.x - _e700.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e783 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.y - _e700.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e784 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.z - _e700.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e786 = select(_e142, _e782, (_e782 > _e142));
+                                            let _e788 = select(_e142, _e783, (_e783 > _e142));
+                                            let _e790 = select(_e142, _e784, (_e784 > _e142));
+                                            let _e821 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e722 & 2097151u))) - 8388608f) * _e786));
+                                            let _e826 = (bitcast<i32>((_e722 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e829 = bitcast<f32>((_e821 & bitcast<u32>(_e826)));
+                                            let _e830 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e737 & 2097151u))) - 8388608f) * _e788));
+                                            let _e835 = (bitcast<i32>((_e737 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e838 = bitcast<f32>((_e830 & bitcast<u32>(_e835)));
+                                            let _e839 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e752 & 2097151u))) - 8388608f) * _e790));
+                                            let _e844 = (bitcast<i32>((_e752 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e847 = bitcast<f32>((_e839 & bitcast<u32>(_e844)));
+                                            let _e851 = bitcast<f32>((_e821 & bitcast<u32>(~(_e826))));
+                                            let _e855 = bitcast<f32>((_e830 & bitcast<u32>(~(_e835))));
+                                            let _e859 = bitcast<f32>((_e839 & bitcast<u32>(~(_e844))));
+                                            let _e860 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e729 & 2097151u))) - 8388608f) * _e786));
+                                            let _e865 = (bitcast<i32>((_e729 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e868 = bitcast<f32>((_e860 & bitcast<u32>(_e865)));
+                                            let _e869 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e744 & 2097151u))) - 8388608f) * _e788));
+                                            let _e874 = (bitcast<i32>((_e744 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e877 = bitcast<f32>((_e869 & bitcast<u32>(_e874)));
+                                            let _e878 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e759 & 2097151u))) - 8388608f) * _e790));
+                                            let _e883 = (bitcast<i32>((_e759 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e886 = bitcast<f32>((_e878 & bitcast<u32>(_e883)));
+                                            let _e890 = bitcast<f32>((_e860 & bitcast<u32>(~(_e865))));
+                                            let _e894 = bitcast<f32>((_e869 & bitcast<u32>(~(_e874))));
+                                            let _e898 = bitcast<f32>((_e878 & bitcast<u32>(~(_e883))));
+                                            let _e928 = global_5.member[_e700.member_1][0u];
+                                            let _e932 = global_5.member[_e700.member_1][2u];
+                                            let _e936 = global_5.member[_e700.member_1][4u];
+                                            let _e940 = global_5.member[_e700.member_1][6u];
+                                            let _e952 = (((_e932 >> bitcast<u32>(22i)) | ((_e936 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e940 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e953 = (_e928 & 268435455u);
+                                            let _e954 = (_e952 & 268435455u);
+                                            let _e957 = ((_e928 >> bitcast<u32>(28u)) & 7u);
+                                            let _e965 = ((_e928 >> bitcast<u32>(31i)) | (((_e952 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e966 = (_e957 != 0u);
+                                            if (_e957 == 0u) {
+                                                phi_3002_ = _e953;
                                             } else {
-                                                if (_e789 == 7u) {
-                                                    phi_2697_ = 2147483648u;
+                                                if (_e957 == 7u) {
+                                                    phi_3001_ = 2147483648u;
                                                 } else {
-                                                    phi_2697_ = ((2147483648u | (_e789 << bitcast<u32>(28u))) | (_e786 & 268435455u));
+                                                    phi_3001_ = ((2147483648u | (_e957 << bitcast<u32>(28u))) | (_e954 & 268435455u));
                                                 }
-                                                let _e807 = phi_2697_;
-                                                phi_2698_ = _e807;
+                                                let _e975 = phi_3001_;
+                                                phi_3002_ = _e975;
                                             }
-                                            let _e809 = phi_2698_;
-                                            if _e798 {
-                                                let _e810 = (_e789 != 7u);
-                                                if _e810 {
-                                                    phi_2708_ = (_e786 + _e789);
+                                            let _e977 = phi_3002_;
+                                            if _e966 {
+                                                let _e978 = (_e957 != 7u);
+                                                if _e978 {
+                                                    phi_3012_ = (_e954 + _e957);
                                                 } else {
-                                                    phi_2708_ = u32();
+                                                    phi_3012_ = u32();
                                                 }
-                                                let _e813 = phi_2708_;
-                                                phi_2710_ = _e813;
-                                                phi_2711_ = select(true, false, _e810);
+                                                let _e981 = phi_3012_;
+                                                phi_3014_ = _e981;
+                                                phi_3015_ = select(true, false, _e978);
                                             } else {
-                                                phi_2710_ = u32();
-                                                phi_2711_ = true;
+                                                phi_3014_ = u32();
+                                                phi_3015_ = true;
                                             }
-                                            let _e816 = phi_2710_;
-                                            let _e818 = phi_2711_;
-                                            if (_e797 == 0u) {
-                                                phi_2732_ = (_e785 + select(0u, 1u, !(_e798)));
+                                            let _e984 = phi_3014_;
+                                            let _e986 = phi_3015_;
+                                            if (_e965 == 0u) {
+                                                phi_3036_ = (_e953 + select(0u, 1u, !(_e966)));
                                             } else {
-                                                if (_e797 == 7u) {
-                                                    phi_2731_ = 2147483648u;
+                                                if (_e965 == 7u) {
+                                                    phi_3035_ = 2147483648u;
                                                 } else {
-                                                    phi_2731_ = ((2147483648u | (_e797 << bitcast<u32>(28u))) | (select(_e816, _e786, _e818) & 268435455u));
+                                                    phi_3035_ = ((2147483648u | (_e965 << bitcast<u32>(28u))) | (select(_e984, _e954, _e986) & 268435455u));
                                                 }
-                                                let _e831 = phi_2731_;
-                                                phi_2732_ = _e831;
+                                                let _e999 = phi_3035_;
+                                                phi_3036_ = _e999;
                                             }
-                                            let _e833 = phi_2732_;
-                                            phi_2736_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e538.member.member.x + _e661), (_e538.member.member.x + _e683), (_e538.member.member_1.x - _e700), (_e538.member.member_1.x - _e722)), vec4<f32>((_e538.member.member.y + _e670), (_e538.member.member.y + _e687), (_e538.member.member_1.y - _e709), (_e538.member.member_1.y - _e726)), vec4<f32>((_e538.member.member.z + _e679), (_e538.member.member.z + _e691), (_e538.member.member_1.z - _e718), (_e538.member.member_1.z - _e730))), type_50(type_29((_e538.member.member + vec4<f32>(_e661, _e670, _e679, 0f)), (_e538.member.member_1 - vec4<f32>(_e700, _e709, _e718, 0f))), _e809), type_50(type_29((_e538.member.member + vec4<f32>(_e683, _e687, _e691, 0f)), (_e538.member.member_1 - vec4<f32>(_e722, _e726, _e730, 0f))), _e833));
+                                            let _e1001 = phi_3036_;
+                                            phi_3040_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e700.member.member.x + _e829), (_e700.member.member.x + _e851), (_e700.member.member_1.x - _e868), (_e700.member.member_1.x - _e890)), vec4<f32>((_e700.member.member.y + _e838), (_e700.member.member.y + _e855), (_e700.member.member_1.y - _e877), (_e700.member.member_1.y - _e894)), vec4<f32>((_e700.member.member.z + _e847), (_e700.member.member.z + _e859), (_e700.member.member_1.z - _e886), (_e700.member.member_1.z - _e898))), type_50(type_29((_e700.member.member + vec4<f32>(_e829, _e838, _e847, 0f)), (_e700.member.member_1 - vec4<f32>(_e868, _e877, _e886, 0f))), _e977), type_50(type_29((_e700.member.member + vec4<f32>(_e851, _e855, _e859, 0f)), (_e700.member.member_1 - vec4<f32>(_e890, _e894, _e898, 0f))), _e1001));
                                         }
-                                        let _e838 = phi_2736_;
-                                        let _e850 = ((_e838.member[0].x - _e327) * _e332);
-                                        let _e851 = ((_e838.member[0].y - _e327) * _e332);
-                                        let _e852 = ((_e838.member[0].z - _e328) * _e332);
-                                        let _e853 = ((_e838.member[0].w - _e328) * _e332);
-                                        let _e863 = ((_e838.member[1].x - _e365) * _e370);
-                                        let _e864 = ((_e838.member[1].y - _e365) * _e370);
-                                        let _e865 = ((_e838.member[1].z - _e366) * _e370);
-                                        let _e866 = ((_e838.member[1].w - _e366) * _e370);
-                                        let _e876 = ((_e838.member[2].x - _e403) * _e408);
-                                        let _e877 = ((_e838.member[2].y - _e403) * _e408);
-                                        let _e878 = ((_e838.member[2].z - _e404) * _e408);
-                                        let _e879 = ((_e838.member[2].w - _e404) * _e408);
-                                        let _e881 = select(_e878, _e876, (_e876 < _e878));
-                                        let _e883 = select(_e879, _e877, (_e877 < _e879));
-                                        let _e885 = select(_e878, _e876, (_e876 > _e878));
-                                        let _e887 = select(_e879, _e877, (_e877 > _e879));
-                                        let _e889 = select(_e852, _e850, (_e850 < _e852));
-                                        let _e891 = select(_e853, _e851, (_e851 < _e853));
-                                        let _e893 = select(_e865, _e863, (_e863 < _e865));
-                                        let _e895 = select(_e866, _e864, (_e864 < _e866));
-                                        let _e897 = select(_e893, _e889, (_e889 > _e893));
-                                        let _e899 = select(_e895, _e891, (_e891 > _e895));
-                                        let _e901 = select(_e881, _e897, (_e897 > _e881));
-                                        let _e903 = select(_e883, _e899, (_e899 > _e883));
-                                        let _e905 = select(_e852, _e850, (_e850 > _e852));
-                                        let _e907 = select(_e853, _e851, (_e851 > _e853));
-                                        let _e909 = select(_e865, _e863, (_e863 > _e865));
-                                        let _e911 = select(_e866, _e864, (_e864 > _e866));
-                                        let _e913 = select(_e909, _e905, (_e905 < _e909));
-                                        let _e915 = select(_e911, _e907, (_e907 < _e911));
-                                        let _e920 = -(_e881);
-                                        let _e921 = -(_e883);
-                                        let _e928 = (select(_e885, _e913, (_e913 < _e885)) + (select(_e920, _e885, (_e885 > _e920)) * 0.0000019073523f));
-                                        let _e929 = (select(_e887, _e915, (_e915 < _e887)) + (select(_e921, _e887, (_e887 > _e921)) * 0.0000019073523f));
-                                        let _e931 = select(_e455, _e901, (_e901 > _e455));
-                                        let _e933 = select(_e455, _e903, (_e903 > _e455));
-                                        let _e938 = (_e931 <= select(_e499.member_1, _e928, (_e928 < _e499.member_1)));
-                                        let _e939 = (_e933 <= select(_e499.member_1, _e929, (_e929 < _e499.member_1)));
-                                        let _e940 = (_e931 <= _e933);
-                                        if _e938 {
-                                            if _e939 {
-                                                if _e940 {
-                                                    phi_3080_ = _e838.member_2;
+                                        let _e1006 = phi_3040_;
+                                        let _e1018 = ((_e1006.member[0].x - _e364) * _e369);
+                                        let _e1019 = ((_e1006.member[0].y - _e364) * _e369);
+                                        let _e1020 = ((_e1006.member[0].z - _e365) * _e369);
+                                        let _e1021 = ((_e1006.member[0].w - _e365) * _e369);
+                                        let _e1031 = ((_e1006.member[1].x - _e432) * _e437);
+                                        let _e1032 = ((_e1006.member[1].y - _e432) * _e437);
+                                        let _e1033 = ((_e1006.member[1].z - _e433) * _e437);
+                                        let _e1034 = ((_e1006.member[1].w - _e433) * _e437);
+                                        let _e1044 = ((_e1006.member[2].x - _e500) * _e505);
+                                        let _e1045 = ((_e1006.member[2].y - _e500) * _e505);
+                                        let _e1046 = ((_e1006.member[2].z - _e501) * _e505);
+                                        let _e1047 = ((_e1006.member[2].w - _e501) * _e505);
+                                        let _e1049 = select(_e1046, _e1044, (_e1044 < _e1046));
+                                        let _e1051 = select(_e1047, _e1045, (_e1045 < _e1047));
+                                        let _e1053 = select(_e1046, _e1044, (_e1044 > _e1046));
+                                        let _e1055 = select(_e1047, _e1045, (_e1045 > _e1047));
+                                        let _e1057 = select(_e1020, _e1018, (_e1018 < _e1020));
+                                        let _e1059 = select(_e1021, _e1019, (_e1019 < _e1021));
+                                        let _e1061 = select(_e1033, _e1031, (_e1031 < _e1033));
+                                        let _e1063 = select(_e1034, _e1032, (_e1032 < _e1034));
+                                        let _e1065 = select(_e1061, _e1057, (_e1057 > _e1061));
+                                        let _e1067 = select(_e1063, _e1059, (_e1059 > _e1063));
+                                        let _e1069 = select(_e1049, _e1065, (_e1065 > _e1049));
+                                        let _e1071 = select(_e1051, _e1067, (_e1067 > _e1051));
+                                        let _e1073 = select(_e1020, _e1018, (_e1018 > _e1020));
+                                        let _e1075 = select(_e1021, _e1019, (_e1019 > _e1021));
+                                        let _e1077 = select(_e1033, _e1031, (_e1031 > _e1033));
+                                        let _e1079 = select(_e1034, _e1032, (_e1032 > _e1034));
+                                        let _e1081 = select(_e1077, _e1073, (_e1073 < _e1077));
+                                        let _e1083 = select(_e1079, _e1075, (_e1075 < _e1079));
+                                        let _e1088 = -(_e1049);
+                                        let _e1089 = -(_e1051);
+                                        let _e1096 = (select(_e1053, _e1081, (_e1081 < _e1053)) + (select(_e1088, _e1053, (_e1053 > _e1088)) * 0.0000019073523f));
+                                        let _e1097 = (select(_e1055, _e1083, (_e1083 < _e1055)) + (select(_e1089, _e1055, (_e1055 > _e1089)) * 0.0000019073523f));
+                                        let _e1099 = select(_e617, _e1069, (_e1069 > _e617));
+                                        let _e1101 = select(_e617, _e1071, (_e1071 > _e617));
+                                        let _e1106 = (_e1099 <= select(_e661.member_1, _e1096, (_e1096 < _e661.member_1)));
+                                        let _e1107 = (_e1101 <= select(_e661.member_1, _e1097, (_e1097 < _e661.member_1)));
+                                        let _e1108 = (_e1099 <= _e1101);
+                                        if _e1106 {
+                                            if _e1107 {
+                                                if _e1108 {
+                                                    phi_3384_ = _e1006.member_2;
                                                 } else {
-                                                    phi_3080_ = _e838.member_1;
+                                                    phi_3384_ = _e1006.member_1;
                                                 }
-                                                let _e944 = phi_3080_;
-                                                let _e966 = (_e542 % 128u);
-                                                let _e967 = (_e966 < 128u);
-                                                if _e967 {
+                                                let _e1112 = phi_3384_;
+                                                let _e1134 = (_e704 % 128u);
+                                                let _e1135 = (_e1134 < 128u);
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_8[_e966] = _e944.member_1;
-                                                if _e967 {
+                                                local_8[_e1134] = _e1112.member_1;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_7[_e966] = _e944.member.member.x;
-                                                if _e967 {
+                                                local_7[_e1134] = _e1112.member.member.x;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_6[_e966] = _e944.member.member.y;
-                                                if _e967 {
+                                                local_6[_e1134] = _e1112.member.member.y;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_5[_e966] = _e944.member.member.z;
-                                                if _e967 {
+                                                local_5[_e1134] = _e1112.member.member.z;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_4[_e966] = _e944.member.member_1.x;
-                                                if _e967 {
+                                                local_4[_e1134] = _e1112.member.member_1.x;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_3[_e966] = _e944.member.member_1.y;
-                                                if _e967 {
+                                                local_3[_e1134] = _e1112.member.member_1.y;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_2[_e966] = _e944.member.member_1.z;
-                                                if _e967 {
+                                                local_2[_e1134] = _e1112.member.member_1.z;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3586_ = true;
+                                                    phi_4014_ = true;
                                                     break;
                                                 }
-                                                local_9[_e966] = select(_e933, _e931, (_e931 > _e933));
-                                                if _e940 {
-                                                    phi_3157_ = _e838.member_1;
+                                                local_9[_e1134] = select(_e1101, _e1099, (_e1099 > _e1101));
+                                                if _e1108 {
+                                                    phi_3461_ = _e1006.member_1;
                                                 } else {
-                                                    phi_3157_ = _e838.member_2;
+                                                    phi_3461_ = _e1006.member_2;
                                                 }
-                                                let _e980 = phi_3157_;
-                                                phi_3158_ = _e980;
-                                                phi_3159_ = (_e542 + 1u);
+                                                let _e1148 = phi_3461_;
+                                                phi_3462_ = _e1148;
+                                                phi_3463_ = (_e704 + 1u);
                                             } else {
-                                                phi_3158_ = type_50();
-                                                phi_3159_ = u32();
+                                                phi_3462_ = type_50();
+                                                phi_3463_ = u32();
                                             }
-                                            let _e982 = phi_3158_;
-                                            let _e984 = phi_3159_;
-                                            phi_3161_ = _e982;
-                                            phi_3162_ = _e984;
-                                            phi_3163_ = select(true, false, _e939);
+                                            let _e1150 = phi_3462_;
+                                            let _e1152 = phi_3463_;
+                                            phi_3465_ = _e1150;
+                                            phi_3466_ = _e1152;
+                                            phi_3467_ = select(true, false, _e1107);
                                         } else {
-                                            phi_3161_ = type_50();
-                                            phi_3162_ = u32();
-                                            phi_3163_ = true;
+                                            phi_3465_ = type_50();
+                                            phi_3466_ = u32();
+                                            phi_3467_ = true;
                                         }
-                                        let _e987 = phi_3161_;
-                                        let _e989 = phi_3162_;
-                                        let _e991 = phi_3163_;
-                                        if _e991 {
-                                            if _e938 {
-                                                phi_3172_ = _e838.member_1;
+                                        let _e1155 = phi_3465_;
+                                        let _e1157 = phi_3466_;
+                                        let _e1159 = phi_3467_;
+                                        if _e1159 {
+                                            if _e1106 {
+                                                phi_3476_ = _e1006.member_1;
                                             } else {
-                                                phi_3172_ = _e838.member_2;
+                                                phi_3476_ = _e1006.member_2;
                                             }
-                                            let _e995 = phi_3172_;
-                                            phi_3177_ = _e995;
-                                            phi_3178_ = select(_e939, true, _e938);
+                                            let _e1163 = phi_3476_;
+                                            phi_3481_ = _e1163;
+                                            phi_3482_ = select(_e1107, true, _e1106);
                                         } else {
-                                            phi_3177_ = _e987;
-                                            phi_3178_ = _e540;
+                                            phi_3481_ = _e1155;
+                                            phi_3482_ = _e702;
                                         }
-                                        let _e998 = phi_3177_;
-                                        let _e1000 = phi_3178_;
-                                        phi_3590_ = _e497;
-                                        phi_3180_ = _e499;
-                                        phi_3181_ = _e998;
-                                        phi_3182_ = _e1000;
-                                        phi_3183_ = select(_e989, _e542, _e991);
+                                        let _e1166 = phi_3481_;
+                                        let _e1168 = phi_3482_;
+                                        phi_4018_ = _e659;
+                                        phi_3484_ = _e661;
+                                        phi_3485_ = _e1166;
+                                        phi_3486_ = _e1168;
+                                        phi_3487_ = select(_e1157, _e704, _e1159);
                                     }
-                                    let _e1592 = phi_3590_;
-                                    let _e1594 = phi_3180_;
-                                    let _e1596 = phi_3181_;
-                                    let _e1598 = phi_3182_;
-                                    let _e1600 = phi_3183_;
-                                    phi_3589_ = _e1592;
-                                    phi_3184_ = _e1594;
-                                    phi_3185_ = _e1596;
-                                    phi_3186_ = (_e503 - 1u);
-                                    phi_3187_ = _e1598;
-                                    phi_3188_ = _e1600;
+                                    let _e1760 = phi_4018_;
+                                    let _e1762 = phi_3484_;
+                                    let _e1764 = phi_3485_;
+                                    let _e1766 = phi_3486_;
+                                    let _e1768 = phi_3487_;
+                                    phi_4017_ = _e1760;
+                                    phi_3488_ = _e1762;
+                                    phi_3489_ = _e1764;
+                                    phi_3490_ = (_e665 - 1u);
+                                    phi_3491_ = _e1766;
+                                    phi_3492_ = _e1768;
                                 } else {
-                                    phi_3589_ = _e497;
-                                    phi_3184_ = _e499;
-                                    phi_3185_ = _e538;
-                                    phi_3186_ = _e503;
-                                    phi_3187_ = _e540;
-                                    phi_3188_ = _e542;
+                                    phi_4017_ = _e659;
+                                    phi_3488_ = _e661;
+                                    phi_3489_ = _e700;
+                                    phi_3490_ = _e665;
+                                    phi_3491_ = _e702;
+                                    phi_3492_ = _e704;
                                 }
-                                let _e1602 = phi_3589_;
-                                let _e1604 = phi_3184_;
-                                let _e1606 = phi_3185_;
-                                let _e1608 = phi_3186_;
-                                let _e1610 = phi_3187_;
-                                let _e1612 = phi_3188_;
-                                phi_3588_ = _e1602;
-                                phi_3189_ = _e1604;
-                                phi_3190_ = _e1606;
-                                phi_3191_ = _e1608;
-                                phi_3192_ = _e1610;
-                                phi_3193_ = _e1612;
+                                let _e1770 = phi_4017_;
+                                let _e1772 = phi_3488_;
+                                let _e1774 = phi_3489_;
+                                let _e1776 = phi_3490_;
+                                let _e1778 = phi_3491_;
+                                let _e1780 = phi_3492_;
+                                phi_4016_ = _e1770;
+                                phi_3493_ = _e1772;
+                                phi_3494_ = _e1774;
+                                phi_3495_ = _e1776;
+                                phi_3496_ = _e1778;
+                                phi_3497_ = _e1780;
                             } else {
-                                phi_3588_ = _e497;
-                                phi_3189_ = type_33();
-                                phi_3190_ = type_50();
-                                phi_3191_ = u32();
-                                phi_3192_ = bool();
-                                phi_3193_ = u32();
+                                phi_4016_ = _e659;
+                                phi_3493_ = type_33();
+                                phi_3494_ = type_50();
+                                phi_3495_ = u32();
+                                phi_3496_ = bool();
+                                phi_3497_ = u32();
                             }
-                            let _e1614 = phi_3588_;
-                            let _e1616 = phi_3189_;
-                            let _e1618 = phi_3190_;
-                            let _e1620 = phi_3191_;
-                            let _e1622 = phi_3192_;
-                            let _e1624 = phi_3193_;
-                            phi_3587_ = _e1614;
-                            phi_840_ = _e1616;
-                            phi_843_ = _e1618;
-                            phi_845_ = _e1620;
-                            phi_847_ = _e1622;
-                            phi_849_ = _e1624;
-                            phi_3194_ = _e511;
+                            let _e1782 = phi_4016_;
+                            let _e1784 = phi_3493_;
+                            let _e1786 = phi_3494_;
+                            let _e1788 = phi_3495_;
+                            let _e1790 = phi_3496_;
+                            let _e1792 = phi_3497_;
+                            phi_4015_ = _e1782;
+                            phi_1144_ = _e1784;
+                            phi_1147_ = _e1786;
+                            phi_1149_ = _e1788;
+                            phi_1151_ = _e1790;
+                            phi_1153_ = _e1792;
+                            phi_3498_ = _e673;
                         } else {
-                            phi_3587_ = _e497;
-                            phi_840_ = type_33();
-                            phi_843_ = type_50();
-                            phi_845_ = u32();
-                            phi_847_ = bool();
-                            phi_849_ = u32();
-                            phi_3194_ = false;
+                            phi_4015_ = _e659;
+                            phi_1144_ = type_33();
+                            phi_1147_ = type_50();
+                            phi_1149_ = u32();
+                            phi_1151_ = bool();
+                            phi_1153_ = u32();
+                            phi_3498_ = false;
                         }
-                        let _e1626 = phi_3587_;
-                        let _e1628 = phi_840_;
-                        let _e1630 = phi_843_;
-                        let _e1632 = phi_845_;
-                        let _e1634 = phi_847_;
-                        let _e1636 = phi_849_;
-                        let _e1638 = phi_3194_;
+                        let _e1794 = phi_4015_;
+                        let _e1796 = phi_1144_;
+                        let _e1798 = phi_1147_;
+                        let _e1800 = phi_1149_;
+                        let _e1802 = phi_1151_;
+                        let _e1804 = phi_1153_;
+                        let _e1806 = phi_3498_;
                         continue;
                         continuing {
-                            phi_3450_ = _e1626;
-                            phi_839_ = _e1628;
-                            phi_842_ = _e1630;
-                            phi_844_ = _e1632;
-                            phi_846_ = _e1634;
-                            phi_848_ = _e1636;
-                            phi_3586_ = _e1626;
-                            break if !(_e1638);
+                            phi_3860_ = _e1794;
+                            phi_1143_ = _e1796;
+                            phi_1146_ = _e1798;
+                            phi_1148_ = _e1800;
+                            phi_1150_ = _e1802;
+                            phi_1152_ = _e1804;
+                            phi_4014_ = _e1794;
+                            break if !(_e1806);
                         }
                     }
-                    let _e1641 = phi_3586_;
-                    if _e1641 {
+                    let _e1809 = phi_4014_;
+                    if _e1809 {
                         break;
                     }
-                    let _e1643 = local_10;
-                    if (_e1643.member.member_3 != 4294967295u) {
-                        let _e1648 = -(_e422);
-                        let _e1649 = (_e1648 / 3i);
-                        let _e1656 = bitcast<f32>((bitcast<u32>((_e1649 + 127i)) << bitcast<u32>(23i)));
-                        let _e1664 = (((_e1643.member.member * _e1656) * _e1656) * bitcast<f32>((bitcast<u32>(((_e1648 - (2i * _e1649)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1666 = select(340282350000000000000000000000000000000f, _e1664, (_e1664 < 340282350000000000000000000000000000000f));
-                        phi_3246_ = type_21(select(-340282350000000000000000000000000000000f, _e1666, (_e1666 > -340282350000000000000000000000000000000f)), _e1643.member.member_1, _e1643.member.member_2, _e1643.member.member_3);
+                    let _e1811 = local_10;
+                    if (_e1811.member.member_3 != 4294967295u) {
+                        let _e1816 = -(_e519);
+                        let _e1817 = bitcast<u32>(_e1811.member.member);
+                        let _e1821 = (bitcast<i32>((_e1817 >> bitcast<u32>(23i))) & 255i);
+                        let _e1822 = (_e1821 + _e1816);
+                        if (_e1821 == 255i) {
+                            phi_3557_ = _e1811.member.member;
+                        } else {
+                            if (_e1821 > 0i) {
+                                if (_e1822 > 0i) {
+                                    let _e1826 = (_e1822 < 255i);
+                                    if _e1826 {
+                                        phi_3536_ = bitcast<f32>((_e1817 + bitcast<u32>((_e1816 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_3536_ = f32();
+                                    }
+                                    let _e1833 = phi_3536_;
+                                    phi_3538_ = _e1833;
+                                    phi_3539_ = select(true, false, _e1826);
+                                } else {
+                                    phi_3538_ = f32();
+                                    phi_3539_ = true;
+                                }
+                                let _e1836 = phi_3538_;
+                                let _e1838 = phi_3539_;
+                                phi_3540_ = _e1836;
+                                phi_3541_ = _e1838;
+                            } else {
+                                phi_3540_ = f32();
+                                phi_3541_ = true;
+                            }
+                            let _e1840 = phi_3540_;
+                            let _e1842 = phi_3541_;
+                            if _e1842 {
+                                let _e1843 = (_e1817 & 2147483648u);
+                                let _e1850 = ((_e1817 & 8388607u) | (select(0u, 1u, ((_e1817 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1854 = (_e1850 == 0u);
+                                if _e1854 {
+                                    phi_3812_ = bitcast<f32>(_e1843);
+                                } else {
+                                    let _e1859 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1850)), 32u, _e1854) - 8u);
+                                    let _e1862 = (_e1850 << bitcast<u32>((_e1859 & 31u)));
+                                    let _e1864 = ((_e1822 + select(0i, 1i, (_e1821 == 0i))) - bitcast<i32>(_e1859));
+                                    if (_e1864 >= 255i) {
+                                        phi_3802_ = bitcast<f32>((_e1843 | 2139095040u));
+                                        phi_3803_ = f32();
+                                        phi_3804_ = true;
+                                    } else {
+                                        let _e1866 = (_e1864 > 0i);
+                                        if _e1866 {
+                                            phi_3796_ = bitcast<f32>(((_e1843 | (bitcast<u32>(_e1864) << bitcast<u32>(23i))) | (_e1862 & 8388607u)));
+                                            phi_3797_ = f32();
+                                        } else {
+                                            if (_e1864 < -24i) {
+                                                phi_3762_ = 26u;
+                                            } else {
+                                                phi_3762_ = bitcast<u32>((1i - _e1864));
+                                            }
+                                            let _e1871 = phi_3762_;
+                                            let _e1872 = (_e1871 & 31u);
+                                            let _e1874 = (_e1862 >> bitcast<u32>(_e1872));
+                                            let _e1878 = (_e1862 & ((1u << bitcast<u32>(_e1872)) - 1u));
+                                            let _e1882 = (1u << bitcast<u32>(((_e1871 - 1u) & 31u)));
+                                            if (_e1878 > _e1882) {
+                                                phi_3783_ = true;
+                                            } else {
+                                                if (_e1878 == _e1882) {
+                                                    phi_3780_ = ((_e1874 & 1u) == 1u);
+                                                } else {
+                                                    phi_3780_ = false;
+                                                }
+                                                let _e1888 = phi_3780_;
+                                                phi_3783_ = _e1888;
+                                            }
+                                            let _e1890 = phi_3783_;
+                                            phi_3796_ = f32();
+                                            phi_3797_ = bitcast<f32>((_e1843 | (_e1874 + select(0u, 1u, _e1890))));
+                                        }
+                                        let _e1903 = phi_3796_;
+                                        let _e1905 = phi_3797_;
+                                        phi_3802_ = _e1903;
+                                        phi_3803_ = _e1905;
+                                        phi_3804_ = _e1866;
+                                    }
+                                    let _e1909 = phi_3802_;
+                                    let _e1911 = phi_3803_;
+                                    let _e1913 = phi_3804_;
+                                    phi_3812_ = select(_e1911, _e1909, _e1913);
+                                }
+                                let _e1917 = phi_3812_;
+                                phi_3556_ = _e1917;
+                            } else {
+                                phi_3556_ = _e1840;
+                            }
+                            let _e1919 = phi_3556_;
+                            phi_3557_ = _e1919;
+                        }
+                        let _e1921 = phi_3557_;
+                        let _e1922 = bitcast<u32>(_e1921);
+                        if ((_e1922 & 2147483647u) >= 2139095040u) {
+                            phi_3569_ = bitcast<f32>(((_e1922 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_3569_ = _e1921;
+                        }
+                        let _e1929 = phi_3569_;
+                        phi_3574_ = type_21(_e1929, _e1811.member.member_1, _e1811.member.member_2, _e1811.member.member_3);
                     } else {
-                        phi_3246_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3574_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1673 = phi_3246_;
-                    if _e143 {
+                    let _e1934 = phi_3574_;
+                    if _e150 {
                     } else {
                         break;
                     }
-                    global_6.member[_e141] = _e1673;
+                    global_6.member[_e148] = _e1934;
                 }
             }
             break;

@@ -87,438 +87,515 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_394_: i32;
-    var phi_395_: i32;
-    var phi_405_: bool;
-    var phi_415_: u32;
-    var phi_416_: u32;
-    var phi_418_: bool;
-    var phi_423_: u32;
-    var phi_435_: i32;
-    var phi_455_: i32;
-    var phi_473_: f32;
-    var phi_479_: f32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_519_: f32;
-    var phi_530_: f32;
-    var phi_539_: f32;
-    var phi_545_: f32;
+    var phi_477_: i32;
+    var phi_478_: i32;
+    var phi_488_: bool;
+    var phi_498_: u32;
+    var phi_499_: u32;
+    var phi_501_: bool;
+    var phi_506_: u32;
+    var phi_518_: i32;
+    var phi_538_: i32;
     var phi_556_: f32;
     var phi_562_: f32;
-    var phi_585_: f32;
-    var phi_596_: f32;
-    var phi_605_: f32;
-    var phi_611_: f32;
-    var phi_622_: f32;
-    var phi_628_: f32;
-    var phi_651_: f32;
-    var phi_662_: f32;
-    var phi_762_: f32;
-    var phi_763_: f32;
-    var phi_4082_: bool;
-    var phi_852_: type_32;
-    var phi_855_: type_49;
-    var phi_857_: u32;
-    var phi_859_: bool;
-    var phi_861_: u32;
-    var phi_872_: bool;
-    var phi_958_: type_49;
-    var phi_959_: bool;
-    var phi_960_: u32;
-    var phi_3069_: u32;
-    var phi_3075_: u32;
-    var phi_3329_: u32;
-    var phi_3330_: u32;
-    var phi_3340_: u32;
-    var phi_3342_: u32;
-    var phi_3343_: bool;
-    var phi_3363_: u32;
-    var phi_3364_: u32;
-    var phi_3368_: type_50;
-    var phi_3712_: type_49;
-    var phi_3789_: type_49;
-    var phi_3790_: type_49;
-    var phi_3791_: u32;
-    var phi_3793_: type_49;
-    var phi_3794_: u32;
-    var phi_3795_: bool;
-    var phi_3804_: type_49;
-    var phi_3809_: type_49;
-    var phi_3810_: bool;
-    var phi_979_: type_32;
-    var phi_982_: type_8;
-    var phi_983_: type_8;
-    var phi_1005_: type_8;
-    var phi_1046_: u32;
-    var phi_1052_: u32;
-    var phi_1062_: u32;
-    var phi_1078_: u32;
-    var phi_1111_: u32;
-    var phi_1117_: u32;
-    var phi_1544_: u32;
-    var phi_1562_: u32;
-    var phi_1580_: u32;
-    var phi_1600_: u32;
-    var phi_1618_: u32;
-    var phi_1636_: u32;
-    var phi_1656_: u32;
-    var phi_1674_: u32;
-    var phi_1692_: u32;
-    var phi_1270_: u32;
-    var phi_1285_: u32;
-    var phi_1295_: u32;
-    var phi_1315_: u32;
-    var phi_1335_: u32;
-    var phi_1361_: u32;
-    var phi_1376_: u32;
-    var phi_1386_: u32;
-    var phi_1406_: u32;
-    var phi_1426_: u32;
-    var phi_1452_: u32;
-    var phi_1467_: u32;
-    var phi_1477_: u32;
-    var phi_1497_: u32;
-    var phi_1517_: u32;
-    var phi_1141_: u32;
-    var phi_1184_: u32;
-    var phi_1227_: u32;
-    var phi_1698_: array<array<f32, 3>, 3>;
-    var phi_1815_: bool;
-    var phi_1844_: bool;
-    var phi_2245_: f32;
-    var phi_2246_: f32;
-    var phi_2247_: f32;
-    var phi_2248_: f32;
-    var phi_2249_: vec3<f32>;
-    var phi_2250_: vec3<f32>;
-    var phi_2251_: vec3<f32>;
-    var phi_2252_: vec3<f32>;
-    var phi_2283_: bool;
-    var phi_2292_: vec3<f32>;
-    var phi_2457_: f32;
-    var phi_2459_: f32;
-    var phi_2460_: bool;
-    var phi_2480_: f32;
-    var phi_2481_: f32;
-    var phi_2504_: type_20;
-    var phi_2506_: type_20;
-    var phi_2507_: bool;
-    var phi_2511_: type_20;
-    var phi_2512_: type_20;
-    var phi_2513_: type_20;
-    var phi_2514_: bool;
-    var phi_2518_: type_20;
-    var phi_2519_: bool;
-    var phi_2520_: type_20;
-    var phi_2521_: bool;
-    var phi_2522_: bool;
-    var phi_2523_: type_20;
-    var phi_2524_: bool;
-    var phi_2525_: bool;
-    var phi_2533_: type_20;
-    var phi_2534_: bool;
-    var phi_2538_: type_20;
-    var phi_2563_: bool;
-    var phi_2564_: bool;
-    var phi_2570_: type_32;
-    var phi_2571_: type_32;
-    var phi_2572_: type_32;
-    var phi_980_: type_32;
-    var phi_4076_: bool;
-    var phi_4269_: bool;
-    var phi_3812_: type_32;
-    var phi_3813_: type_49;
-    var phi_3814_: bool;
-    var phi_3815_: u32;
-    var phi_4268_: bool;
-    var phi_3816_: type_32;
-    var phi_3817_: type_49;
-    var phi_3818_: u32;
-    var phi_3819_: bool;
-    var phi_3820_: u32;
-    var phi_4267_: bool;
-    var phi_3821_: type_32;
-    var phi_3822_: type_49;
-    var phi_3823_: u32;
-    var phi_3824_: bool;
-    var phi_3825_: u32;
-    var phi_4266_: bool;
-    var phi_853_: type_32;
-    var phi_856_: type_49;
-    var phi_858_: u32;
-    var phi_860_: bool;
-    var phi_862_: u32;
-    var phi_3826_: bool;
-    var phi_4265_: bool;
+    var phi_602_: f32;
+    var phi_608_: f32;
+    var phi_660_: f32;
+    var phi_671_: f32;
+    var phi_680_: f32;
+    var phi_686_: f32;
+    var phi_726_: f32;
+    var phi_732_: f32;
+    var phi_784_: f32;
+    var phi_795_: f32;
+    var phi_804_: f32;
+    var phi_810_: f32;
+    var phi_850_: f32;
+    var phi_856_: f32;
+    var phi_908_: f32;
+    var phi_919_: f32;
+    var phi_974_: i32;
+    var phi_996_: u32;
+    var phi_997_: u32;
+    var phi_1034_: i32;
+    var phi_1056_: u32;
+    var phi_1057_: u32;
+    var phi_1065_: f32;
+    var phi_1066_: f32;
+    var phi_4509_: bool;
+    var phi_1155_: type_32;
+    var phi_1158_: type_49;
+    var phi_1160_: u32;
+    var phi_1162_: bool;
+    var phi_1164_: u32;
+    var phi_1175_: bool;
+    var phi_1261_: type_49;
+    var phi_1262_: bool;
+    var phi_1263_: u32;
+    var phi_3390_: u32;
+    var phi_3396_: u32;
+    var phi_3650_: u32;
+    var phi_3651_: u32;
+    var phi_3661_: u32;
+    var phi_3663_: u32;
+    var phi_3664_: bool;
+    var phi_3684_: u32;
+    var phi_3685_: u32;
+    var phi_3689_: type_50;
+    var phi_4033_: type_49;
+    var phi_4110_: type_49;
+    var phi_4111_: type_49;
+    var phi_4112_: u32;
+    var phi_4114_: type_49;
+    var phi_4115_: u32;
+    var phi_4116_: bool;
+    var phi_4125_: type_49;
+    var phi_4130_: type_49;
+    var phi_4131_: bool;
+    var phi_1282_: type_32;
+    var phi_1285_: type_8;
+    var phi_1286_: type_8;
+    var phi_1308_: type_8;
+    var phi_1349_: u32;
+    var phi_1355_: u32;
+    var phi_1365_: u32;
+    var phi_1381_: u32;
+    var phi_1414_: u32;
+    var phi_1420_: u32;
+    var phi_1865_: u32;
+    var phi_1883_: u32;
+    var phi_1901_: u32;
+    var phi_1921_: u32;
+    var phi_1939_: u32;
+    var phi_1957_: u32;
+    var phi_1977_: u32;
+    var phi_1995_: u32;
+    var phi_2013_: u32;
+    var phi_1582_: u32;
+    var phi_1597_: u32;
+    var phi_1607_: u32;
+    var phi_1628_: u32;
+    var phi_1649_: u32;
+    var phi_1676_: u32;
+    var phi_1691_: u32;
+    var phi_1701_: u32;
+    var phi_1722_: u32;
+    var phi_1743_: u32;
+    var phi_1770_: u32;
+    var phi_1785_: u32;
+    var phi_1795_: u32;
+    var phi_1816_: u32;
+    var phi_1837_: u32;
+    var phi_1444_: u32;
+    var phi_1490_: u32;
+    var phi_1536_: u32;
+    var phi_2019_: array<array<f32, 3>, 3>;
+    var phi_2136_: bool;
+    var phi_2165_: bool;
+    var phi_2566_: f32;
+    var phi_2567_: f32;
+    var phi_2568_: f32;
+    var phi_2569_: f32;
+    var phi_2570_: vec3<f32>;
+    var phi_2571_: vec3<f32>;
+    var phi_2572_: vec3<f32>;
+    var phi_2573_: vec3<f32>;
+    var phi_2604_: bool;
+    var phi_2613_: vec3<f32>;
+    var phi_2778_: f32;
+    var phi_2780_: f32;
+    var phi_2781_: bool;
+    var phi_2801_: f32;
+    var phi_2802_: f32;
+    var phi_2825_: type_20;
+    var phi_2827_: type_20;
+    var phi_2828_: bool;
+    var phi_2832_: type_20;
+    var phi_2833_: type_20;
+    var phi_2834_: type_20;
+    var phi_2835_: bool;
+    var phi_2839_: type_20;
+    var phi_2840_: bool;
+    var phi_2841_: type_20;
+    var phi_2842_: bool;
+    var phi_2843_: bool;
+    var phi_2844_: type_20;
+    var phi_2845_: bool;
+    var phi_2846_: bool;
+    var phi_2854_: type_20;
+    var phi_2855_: bool;
+    var phi_2859_: type_20;
+    var phi_2884_: bool;
+    var phi_2885_: bool;
+    var phi_2891_: type_32;
+    var phi_2892_: type_32;
+    var phi_2893_: type_32;
+    var phi_1283_: type_32;
+    var phi_4503_: bool;
+    var phi_4714_: bool;
+    var phi_4133_: type_32;
+    var phi_4134_: type_49;
+    var phi_4135_: bool;
+    var phi_4136_: u32;
+    var phi_4713_: bool;
+    var phi_4137_: type_32;
+    var phi_4138_: type_49;
+    var phi_4139_: u32;
+    var phi_4140_: bool;
+    var phi_4141_: u32;
+    var phi_4712_: bool;
+    var phi_4142_: type_32;
+    var phi_4143_: type_49;
+    var phi_4144_: u32;
+    var phi_4145_: bool;
+    var phi_4146_: u32;
+    var phi_4711_: bool;
+    var phi_1156_: type_32;
+    var phi_1159_: type_49;
+    var phi_1161_: u32;
+    var phi_1163_: bool;
+    var phi_1165_: u32;
+    var phi_4147_: bool;
+    var phi_4710_: bool;
     var local_10: type_32;
-    var phi_3878_: type_20;
+    var phi_4185_: f32;
+    var phi_4187_: f32;
+    var phi_4188_: bool;
+    var phi_4189_: f32;
+    var phi_4190_: bool;
+    var phi_4411_: u32;
+    var phi_4429_: bool;
+    var phi_4432_: bool;
+    var phi_4445_: f32;
+    var phi_4446_: f32;
+    var phi_4451_: f32;
+    var phi_4452_: f32;
+    var phi_4453_: bool;
+    var phi_4461_: f32;
+    var phi_4205_: f32;
+    var phi_4206_: f32;
+    var phi_4218_: f32;
+    var phi_4223_: type_20;
     var local_11: type_32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e88 = global;
-            let _e90 = arrayLength((&global_4.member));
-            let _e93 = arrayLength((&global_5.member));
-            let _e101 = global_2.member[0u][0u];
-            let _e105 = global_2.member[0u][1u];
-            let _e109 = global_2.member[0u][2u];
-            let _e113 = global_2.member[0u][3u];
-            let _e117 = global_2.member[1u][0u];
-            let _e121 = global_2.member[1u][1u];
-            let _e125 = global_2.member[1u][2u];
-            let _e128 = global_1.member[0u];
-            let _e129 = bitcast<i32>(_e128);
-            let _e141 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e113) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e101), bitcast<i32>(_e105), bitcast<i32>(_e109));
-            local = array<i32, 3>(bitcast<i32>(_e117), bitcast<i32>(_e121), bitcast<i32>(_e125));
-            let _e147 = (_e88.x + (_e88.y * 2097152u));
-            let _e148 = (_e147 < arrayLength((&global_3.member)));
-            if _e148 {
-                let _e149 = (_e147 < arrayLength((&global_6.member)));
-                if _e149 {
-                    if _e148 {
+            let _e94 = global;
+            let _e96 = arrayLength((&global_4.member));
+            let _e99 = arrayLength((&global_5.member));
+            let _e107 = global_2.member[0u][0u];
+            let _e111 = global_2.member[0u][1u];
+            let _e115 = global_2.member[0u][2u];
+            let _e119 = global_2.member[0u][3u];
+            let _e123 = global_2.member[1u][0u];
+            let _e127 = global_2.member[1u][1u];
+            let _e131 = global_2.member[1u][2u];
+            let _e134 = global_1.member[0u];
+            let _e135 = bitcast<i32>(_e134);
+            let _e147 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e119) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e107), bitcast<i32>(_e111), bitcast<i32>(_e115));
+            local = array<i32, 3>(bitcast<i32>(_e123), bitcast<i32>(_e127), bitcast<i32>(_e131));
+            let _e153 = (_e94.x + (_e94.y * 2097152u));
+            let _e154 = (_e153 < arrayLength((&global_3.member)));
+            if _e154 {
+                let _e155 = (_e153 < arrayLength((&global_6.member)));
+                if _e155 {
+                    if _e154 {
                     } else {
                         break;
                     }
-                    let _e157 = global_3.member[_e147].member_2[0u];
-                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
-                    let _e164 = global_3.member[_e147].member_2[1u];
-                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
-                    let _e171 = global_3.member[_e147].member_2[2u];
-                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
-                    let _e178 = global_3.member[_e147].member[0u];
-                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
-                    let _e185 = global_3.member[_e147].member[1u];
-                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
-                    let _e192 = global_3.member[_e147].member[2u];
-                    let _e194 = (bitcast<u32>(_e192) & 2147483647u);
-                    let _e196 = select(_e166, _e159, (_e166 < _e159));
-                    let _e198 = select(_e173, _e196, (_e173 < _e196));
-                    let _e200 = select(_e180, _e198, (_e180 < _e198));
-                    let _e202 = select(_e187, _e200, (_e187 < _e200));
-                    let _e204 = select(_e194, _e202, (_e194 < _e202));
-                    let _e208 = global_3.member[_e147].member_1;
-                    let _e210 = (bitcast<u32>(_e208) & 2147483647u);
-                    let _e217 = global_3.member[_e147].member_3;
-                    let _e223 = (((select(_e210, _e204, (_e210 < _e204)) < 2139095040u) && ((bitcast<u32>(_e217) & 2147483647u) <= 2139095040u)) && (_e198 > 0u));
-                    if _e223 {
-                        let _e226 = (bitcast<u32>(bitcast<f32>(_e198)) & 2147483647u);
-                        if (_e226 >= 8388608u) {
-                            phi_394_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
+                    let _e163 = global_3.member[_e153].member_2[0u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_3.member[_e153].member_2[1u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_3.member[_e153].member_2[2u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_3.member[_e153].member[0u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e191 = global_3.member[_e153].member[1u];
+                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
+                    let _e198 = global_3.member[_e153].member[2u];
+                    let _e200 = (bitcast<u32>(_e198) & 2147483647u);
+                    let _e202 = select(_e172, _e165, (_e172 < _e165));
+                    let _e204 = select(_e179, _e202, (_e179 < _e202));
+                    let _e206 = select(_e186, _e204, (_e186 < _e204));
+                    let _e208 = select(_e193, _e206, (_e193 < _e206));
+                    let _e210 = select(_e200, _e208, (_e200 < _e208));
+                    let _e214 = global_3.member[_e153].member_1;
+                    let _e215 = bitcast<u32>(_e214);
+                    let _e216 = (_e215 & 2147483647u);
+                    let _e223 = global_3.member[_e153].member_3;
+                    let _e224 = bitcast<u32>(_e223);
+                    let _e225 = (_e224 & 2147483647u);
+                    let _e229 = (((select(_e216, _e210, (_e216 < _e210)) < 2139095040u) && (_e225 <= 2139095040u)) && (_e204 > 0u));
+                    if _e229 {
+                        let _e232 = (bitcast<u32>(bitcast<f32>(_e204)) & 2147483647u);
+                        if (_e232 >= 8388608u) {
+                            phi_477_ = (bitcast<i32>((_e232 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_394_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
+                            phi_477_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e232)), 32u, (_e232 == 0u))));
                         }
-                        let _e240 = phi_394_;
-                        phi_395_ = _e240;
+                        let _e246 = phi_477_;
+                        phi_478_ = _e246;
                     } else {
-                        phi_395_ = 0i;
+                        phi_478_ = 0i;
                     }
-                    let _e242 = phi_395_;
-                    let _e243 = (_e159 == _e198);
-                    if _e243 {
-                        phi_405_ = true;
+                    let _e248 = phi_478_;
+                    let _e249 = (_e165 == _e204);
+                    if _e249 {
+                        phi_488_ = true;
                     } else {
-                        phi_405_ = (_e166 == _e198);
+                        phi_488_ = (_e172 == _e204);
                     }
-                    let _e246 = phi_405_;
-                    let _e247 = select(1u, 0u, _e243);
-                    if _e246 {
-                        let _e248 = (_e247 + 1u);
-                        phi_415_ = _e248;
-                        phi_416_ = _e248;
-                        phi_418_ = select(true, false, (_e248 == 2u));
+                    let _e252 = phi_488_;
+                    let _e253 = select(1u, 0u, _e249);
+                    if _e252 {
+                        let _e254 = (_e253 + 1u);
+                        phi_498_ = _e254;
+                        phi_499_ = _e254;
+                        phi_501_ = select(true, false, (_e254 == 2u));
                     } else {
-                        phi_415_ = u32();
-                        phi_416_ = 0u;
-                        phi_418_ = true;
+                        phi_498_ = u32();
+                        phi_499_ = 0u;
+                        phi_501_ = true;
                     }
-                    let _e252 = phi_415_;
-                    let _e254 = phi_416_;
-                    let _e256 = phi_418_;
-                    if _e256 {
-                        phi_423_ = (_e254 + 1u);
+                    let _e258 = phi_498_;
+                    let _e260 = phi_499_;
+                    let _e262 = phi_501_;
+                    if _e262 {
+                        phi_506_ = (_e260 + 1u);
                     } else {
-                        phi_423_ = 0u;
+                        phi_506_ = 0u;
                     }
-                    let _e260 = phi_423_;
-                    let _e261 = select(_e252, _e254, _e256);
-                    let _e262 = select(_e247, select(2u, _e247, _e246), _e256);
-                    if (_e129 < -126i) {
-                        phi_435_ = -126i;
+                    let _e266 = phi_506_;
+                    let _e267 = select(_e258, _e260, _e262);
+                    let _e268 = select(_e253, select(2u, _e253, _e252), _e262);
+                    if (_e135 < -126i) {
+                        phi_518_ = -126i;
                     } else {
-                        phi_435_ = select(_e129, 127i, (_e129 > 127i));
+                        phi_518_ = select(_e135, 127i, (_e135 > 127i));
                     }
-                    let _e267 = phi_435_;
-                    let _e272 = bitcast<f32>((bitcast<u32>((_e267 + 127i)) << bitcast<u32>(23i)));
-                    let _e278 = bitcast<f32>((bitcast<u32>(((_e129 - _e267) + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = -(_e242);
-                    if (_e279 < -126i) {
-                        phi_455_ = -126i;
+                    let _e273 = phi_518_;
+                    let _e278 = bitcast<f32>((bitcast<u32>((_e273 + 127i)) << bitcast<u32>(23i)));
+                    let _e284 = bitcast<f32>((bitcast<u32>(((_e135 - _e273) + 127i)) << bitcast<u32>(23i)));
+                    let _e285 = -(_e248);
+                    if (_e285 < -126i) {
+                        phi_538_ = -126i;
                     } else {
-                        phi_455_ = select(_e279, 127i, (_e279 > 127i));
+                        phi_538_ = select(_e285, 127i, (_e285 > 127i));
                     }
-                    let _e284 = phi_455_;
-                    let _e289 = bitcast<f32>((bitcast<u32>((_e284 + 127i)) << bitcast<u32>(23i)));
-                    let _e295 = bitcast<f32>((bitcast<u32>(((_e279 - _e284) + 127i)) << bitcast<u32>(23i)));
-                    let _e299 = global_3.member[_e147].member;
-                    let _e300 = (_e261 == 0u);
-                    if _e300 {
-                        phi_473_ = _e299[0];
+                    let _e290 = phi_538_;
+                    let _e295 = bitcast<f32>((bitcast<u32>((_e290 + 127i)) << bitcast<u32>(23i)));
+                    let _e301 = bitcast<f32>((bitcast<u32>(((_e285 - _e290) + 127i)) << bitcast<u32>(23i)));
+                    let _e305 = global_3.member[_e153].member;
+                    let _e306 = (_e267 == 0u);
+                    if _e306 {
+                        phi_556_ = _e305[0];
                     } else {
-                        phi_473_ = _e299[1];
+                        phi_556_ = _e305[1];
                     }
-                    let _e304 = phi_473_;
-                    let _e305 = (_e261 == 2u);
-                    if _e305 {
-                        phi_479_ = _e299[2];
+                    let _e310 = phi_556_;
+                    let _e311 = (_e267 == 2u);
+                    if _e311 {
+                        phi_562_ = _e305[2];
                     } else {
-                        phi_479_ = _e304;
+                        phi_562_ = _e310;
                     }
-                    let _e308 = phi_479_;
-                    let _e310 = ((_e308 * _e272) * _e278);
-                    let _e311 = global_3.member[_e147].member_2;
-                    if _e300 {
-                        phi_490_ = _e311[0];
+                    let _e314 = phi_562_;
+                    let _e315 = bitcast<u32>(_e314);
+                    let _e317 = ((_e315 & 2139095040u) != 0u);
+                    let _e331 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e315 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e315 & 2147483648u))), _e314, _e317) * _e278) * select(0.00000011920929f, 1f, _e317)) * _e284);
+                    let _e332 = global_3.member[_e153].member_2;
+                    if _e306 {
+                        phi_602_ = _e332[0];
                     } else {
-                        phi_490_ = _e311[1];
+                        phi_602_ = _e332[1];
                     }
-                    let _e315 = phi_490_;
-                    if _e305 {
-                        phi_496_ = _e311[2];
+                    let _e336 = phi_602_;
+                    if _e311 {
+                        phi_608_ = _e332[2];
                     } else {
-                        phi_496_ = _e315;
+                        phi_608_ = _e336;
                     }
-                    let _e318 = phi_496_;
-                    let _e320 = ((_e318 * _e289) * _e295);
-                    let _e324 = (bitcast<f32>((bitcast<u32>(_e320) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e324 {
-                        let _e328 = (bitcast<f32>((bitcast<u32>(_e310) & 2147483647u)) * 0.00000011920929f);
-                        phi_519_ = select(0.00000000000011368684f, _e328, (_e328 > 0.00000000000011368684f));
+                    let _e339 = phi_608_;
+                    let _e340 = bitcast<u32>(_e339);
+                    let _e342 = ((_e340 & 2139095040u) != 0u);
+                    let _e356 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e340 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e340 & 2147483648u))), _e339, _e342) * _e295) * select(0.00000011920929f, 1f, _e342)) * _e301);
+                    let _e360 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e360 {
+                        let _e364 = (bitcast<f32>((bitcast<u32>(_e331) & 2147483647u)) * 0.00000011920929f);
+                        phi_660_ = select(0.00000000000011368684f, _e364, (_e364 > 0.00000000000011368684f));
                     } else {
-                        phi_519_ = 0f;
+                        phi_660_ = 0f;
                     }
-                    let _e332 = phi_519_;
-                    let _e333 = (_e310 + _e332);
-                    let _e334 = (_e310 - _e332);
-                    let _e335 = select(_e320, 0f, _e324);
-                    if _e324 {
-                        phi_530_ = 38685626000000000000000000f;
+                    let _e368 = phi_660_;
+                    let _e369 = (_e331 + _e368);
+                    let _e370 = (_e331 - _e368);
+                    let _e371 = select(_e356, 0f, _e360);
+                    if _e360 {
+                        phi_671_ = 38685626000000000000000000f;
                     } else {
-                        phi_530_ = (1f / _e320);
+                        phi_671_ = (1f / _e356);
                     }
-                    let _e338 = phi_530_;
-                    let _e339 = (_e260 == 0u);
-                    if _e339 {
-                        phi_539_ = _e299[0];
+                    let _e374 = phi_671_;
+                    let _e375 = (_e266 == 0u);
+                    if _e375 {
+                        phi_680_ = _e305[0];
                     } else {
-                        phi_539_ = _e299[1];
+                        phi_680_ = _e305[1];
                     }
-                    let _e343 = phi_539_;
-                    let _e344 = (_e260 == 2u);
-                    if _e344 {
-                        phi_545_ = _e299[2];
+                    let _e379 = phi_680_;
+                    let _e380 = (_e266 == 2u);
+                    if _e380 {
+                        phi_686_ = _e305[2];
                     } else {
-                        phi_545_ = _e343;
+                        phi_686_ = _e379;
                     }
-                    let _e347 = phi_545_;
-                    let _e349 = ((_e347 * _e272) * _e278);
-                    if _e339 {
-                        phi_556_ = _e311[0];
+                    let _e383 = phi_686_;
+                    let _e384 = bitcast<u32>(_e383);
+                    let _e386 = ((_e384 & 2139095040u) != 0u);
+                    let _e400 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e383, _e386) * _e278) * select(0.00000011920929f, 1f, _e386)) * _e284);
+                    if _e375 {
+                        phi_726_ = _e332[0];
                     } else {
-                        phi_556_ = _e311[1];
+                        phi_726_ = _e332[1];
                     }
-                    let _e353 = phi_556_;
-                    if _e344 {
-                        phi_562_ = _e311[2];
+                    let _e404 = phi_726_;
+                    if _e380 {
+                        phi_732_ = _e332[2];
                     } else {
-                        phi_562_ = _e353;
+                        phi_732_ = _e404;
                     }
-                    let _e356 = phi_562_;
-                    let _e358 = ((_e356 * _e289) * _e295);
-                    let _e362 = (bitcast<f32>((bitcast<u32>(_e358) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e362 {
-                        let _e366 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) * 0.00000011920929f);
-                        phi_585_ = select(0.00000000000011368684f, _e366, (_e366 > 0.00000000000011368684f));
+                    let _e407 = phi_732_;
+                    let _e408 = bitcast<u32>(_e407);
+                    let _e410 = ((_e408 & 2139095040u) != 0u);
+                    let _e424 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e408 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e408 & 2147483648u))), _e407, _e410) * _e295) * select(0.00000011920929f, 1f, _e410)) * _e301);
+                    let _e428 = (bitcast<f32>((bitcast<u32>(_e424) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e428 {
+                        let _e432 = (bitcast<f32>((bitcast<u32>(_e400) & 2147483647u)) * 0.00000011920929f);
+                        phi_784_ = select(0.00000000000011368684f, _e432, (_e432 > 0.00000000000011368684f));
                     } else {
-                        phi_585_ = 0f;
+                        phi_784_ = 0f;
                     }
-                    let _e370 = phi_585_;
-                    let _e371 = (_e349 + _e370);
-                    let _e372 = (_e349 - _e370);
-                    let _e373 = select(_e358, 0f, _e362);
-                    if _e362 {
-                        phi_596_ = 38685626000000000000000000f;
+                    let _e436 = phi_784_;
+                    let _e437 = (_e400 + _e436);
+                    let _e438 = (_e400 - _e436);
+                    let _e439 = select(_e424, 0f, _e428);
+                    if _e428 {
+                        phi_795_ = 38685626000000000000000000f;
                     } else {
-                        phi_596_ = (1f / _e358);
+                        phi_795_ = (1f / _e424);
                     }
-                    let _e376 = phi_596_;
-                    let _e377 = (_e262 == 0u);
-                    if _e377 {
-                        phi_605_ = _e299[0];
+                    let _e442 = phi_795_;
+                    let _e443 = (_e268 == 0u);
+                    if _e443 {
+                        phi_804_ = _e305[0];
                     } else {
-                        phi_605_ = _e299[1];
+                        phi_804_ = _e305[1];
                     }
-                    let _e381 = phi_605_;
-                    let _e382 = (_e262 == 2u);
-                    if _e382 {
-                        phi_611_ = _e299[2];
+                    let _e447 = phi_804_;
+                    let _e448 = (_e268 == 2u);
+                    if _e448 {
+                        phi_810_ = _e305[2];
                     } else {
-                        phi_611_ = _e381;
+                        phi_810_ = _e447;
                     }
-                    let _e385 = phi_611_;
-                    let _e387 = ((_e385 * _e272) * _e278);
-                    if _e377 {
-                        phi_622_ = _e311[0];
+                    let _e451 = phi_810_;
+                    let _e452 = bitcast<u32>(_e451);
+                    let _e454 = ((_e452 & 2139095040u) != 0u);
+                    let _e468 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e452 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e452 & 2147483648u))), _e451, _e454) * _e278) * select(0.00000011920929f, 1f, _e454)) * _e284);
+                    if _e443 {
+                        phi_850_ = _e332[0];
                     } else {
-                        phi_622_ = _e311[1];
+                        phi_850_ = _e332[1];
                     }
-                    let _e391 = phi_622_;
-                    if _e382 {
-                        phi_628_ = _e311[2];
+                    let _e472 = phi_850_;
+                    if _e448 {
+                        phi_856_ = _e332[2];
                     } else {
-                        phi_628_ = _e391;
+                        phi_856_ = _e472;
                     }
-                    let _e394 = phi_628_;
-                    let _e396 = ((_e394 * _e289) * _e295);
-                    let _e400 = (bitcast<f32>((bitcast<u32>(_e396) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e400 {
-                        let _e404 = (bitcast<f32>((bitcast<u32>(_e387) & 2147483647u)) * 0.00000011920929f);
-                        phi_651_ = select(0.00000000000011368684f, _e404, (_e404 > 0.00000000000011368684f));
+                    let _e475 = phi_856_;
+                    let _e476 = bitcast<u32>(_e475);
+                    let _e478 = ((_e476 & 2139095040u) != 0u);
+                    let _e492 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e476 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e476 & 2147483648u))), _e475, _e478) * _e295) * select(0.00000011920929f, 1f, _e478)) * _e301);
+                    let _e496 = (bitcast<f32>((bitcast<u32>(_e492) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e496 {
+                        let _e500 = (bitcast<f32>((bitcast<u32>(_e468) & 2147483647u)) * 0.00000011920929f);
+                        phi_908_ = select(0.00000000000011368684f, _e500, (_e500 > 0.00000000000011368684f));
                     } else {
-                        phi_651_ = 0f;
+                        phi_908_ = 0f;
                     }
-                    let _e408 = phi_651_;
-                    let _e409 = (_e387 + _e408);
-                    let _e410 = (_e387 - _e408);
-                    let _e411 = select(_e396, 0f, _e400);
-                    if _e400 {
-                        phi_662_ = 38685626000000000000000000f;
+                    let _e504 = phi_908_;
+                    let _e505 = (_e468 + _e504);
+                    let _e506 = (_e468 - _e504);
+                    let _e507 = select(_e492, 0f, _e496);
+                    if _e496 {
+                        phi_919_ = 38685626000000000000000000f;
                     } else {
-                        phi_662_ = (1f / _e396);
+                        phi_919_ = (1f / _e492);
                     }
-                    let _e414 = phi_662_;
-                    let _e417 = bitcast<f32>((bitcast<u32>(_e310) & 2147483647u));
-                    let _e420 = bitcast<f32>((bitcast<u32>(_e349) & 2147483647u));
-                    let _e422 = select(_e420, _e417, (_e417 > _e420));
-                    let _e425 = bitcast<f32>((bitcast<u32>(_e387) & 2147483647u));
-                    let _e428 = (_e129 + _e242);
-                    if (_e223 && (select(_e425, _e422, (_e422 > _e425)) <= 1099511600000f)) {
-                        let _e431 = (_e428 / 3i);
-                        let _e438 = bitcast<f32>((bitcast<u32>((_e431 + 127i)) << bitcast<u32>(23i)));
-                        let _e445 = bitcast<f32>((bitcast<u32>(((_e428 - (2i * _e431)) + 127i)) << bitcast<u32>(23i)));
-                        let _e446 = (((_e208 * _e438) * _e438) * _e445);
-                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
-                        let _e453 = (((_e217 * _e438) * _e438) * _e445);
-                        let _e455 = select(340282350000000000000000000000000000000f, _e453, (_e453 < 340282350000000000000000000000000000000f));
-                        phi_762_ = select(-340282350000000000000000000000000000000f, _e455, (_e455 > -340282350000000000000000000000000000000f));
-                        phi_763_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
+                    let _e510 = phi_919_;
+                    let _e513 = bitcast<f32>((bitcast<u32>(_e331) & 2147483647u));
+                    let _e516 = bitcast<f32>((bitcast<u32>(_e400) & 2147483647u));
+                    let _e518 = select(_e516, _e513, (_e513 > _e516));
+                    let _e521 = bitcast<f32>((bitcast<u32>(_e468) & 2147483647u));
+                    let _e524 = (_e135 + _e248);
+                    if (_e229 && (select(_e521, _e518, (_e518 > _e521)) <= 1099511600000f)) {
+                        let _e534 = ((_e216 & 8388607u) | (select(0u, 1u, ((_e216 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e537 = bitcast<i32>((_e216 >> bitcast<u32>(23i)));
+                        let _e541 = (_e534 == 0u);
+                        let _e544 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e534)), 32u, _e541)) - 8i);
+                        if (_e537 == 255i) {
+                            phi_974_ = 255i;
+                        } else {
+                            phi_974_ = (((_e537 + select(0i, 1i, (_e537 == 0i))) - _e544) + _e524);
+                        }
+                        let _e552 = phi_974_;
+                        let _e562 = (_e552 <= 0i);
+                        if _e562 {
+                            phi_997_ = u32();
+                        } else {
+                            if _e541 {
+                                phi_996_ = u32();
+                            } else {
+                                phi_996_ = select(((bitcast<u32>(_e552) << bitcast<u32>(23i)) | ((_e534 << bitcast<u32>(((_e544 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e552 >= 255i));
+                            }
+                            let _e566 = phi_996_;
+                            phi_997_ = _e566;
+                        }
+                        let _e568 = phi_997_;
+                        let _e580 = ((_e225 & 8388607u) | (select(0u, 1u, ((_e225 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e583 = bitcast<i32>((_e225 >> bitcast<u32>(23i)));
+                        let _e587 = (_e580 == 0u);
+                        let _e590 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e580)), 32u, _e587)) - 8i);
+                        if (_e583 == 255i) {
+                            phi_1034_ = 255i;
+                        } else {
+                            phi_1034_ = (((_e583 + select(0i, 1i, (_e583 == 0i))) - _e590) + _e524);
+                        }
+                        let _e598 = phi_1034_;
+                        let _e608 = (_e598 <= 0i);
+                        if _e608 {
+                            phi_1057_ = u32();
+                        } else {
+                            if _e587 {
+                                phi_1056_ = u32();
+                            } else {
+                                phi_1056_ = select(((bitcast<u32>(_e598) << bitcast<u32>(23i)) | ((_e580 << bitcast<u32>(((_e590 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e598 >= 255i));
+                            }
+                            let _e612 = phi_1056_;
+                            phi_1057_ = _e612;
+                        }
+                        let _e614 = phi_1057_;
+                        phi_1065_ = bitcast<f32>(((_e224 & 2147483648u) | select(_e614, 0u, select(_e587, true, _e608))));
+                        phi_1066_ = bitcast<f32>(((_e215 & 2147483648u) | select(_e568, 0u, select(_e541, true, _e562))));
                     } else {
-                        phi_762_ = 0f;
-                        phi_763_ = 1f;
+                        phi_1065_ = 0f;
+                        phi_1066_ = 1f;
                     }
-                    let _e459 = phi_762_;
-                    let _e461 = phi_763_;
+                    let _e620 = phi_1065_;
+                    let _e622 = phi_1066_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -527,1326 +604,1425 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e465 = (_e261 % 3u);
-                    let _e466 = (_e465 < 3u);
-                    if _e466 {
+                    let _e626 = (_e267 % 3u);
+                    let _e627 = (_e626 < 3u);
+                    if _e627 {
                     } else {
                         break;
                     }
-                    let _e468 = local_1[_e465];
-                    let _e471 = (_e260 % 3u);
-                    let _e472 = (_e471 < 3u);
-                    if _e472 {
+                    let _e629 = local_1[_e626];
+                    let _e632 = (_e266 % 3u);
+                    let _e633 = (_e632 < 3u);
+                    if _e633 {
                     } else {
                         break;
                     }
-                    let _e474 = local_1[_e471];
-                    let _e477 = (_e262 % 3u);
-                    let _e478 = (_e477 < 3u);
-                    if _e478 {
+                    let _e635 = local_1[_e632];
+                    let _e638 = (_e268 % 3u);
+                    let _e639 = (_e638 < 3u);
+                    if _e639 {
                     } else {
                         break;
                     }
-                    let _e480 = local_1[_e477];
-                    if _e466 {
+                    let _e641 = local_1[_e638];
+                    if _e627 {
                     } else {
                         break;
                     }
-                    let _e485 = local[_e465];
-                    if _e472 {
+                    let _e646 = local[_e626];
+                    if _e633 {
                     } else {
                         break;
                     }
-                    let _e489 = local[_e471];
-                    if _e478 {
+                    let _e650 = local[_e632];
+                    if _e639 {
                     } else {
                         break;
                     }
-                    let _e493 = local[_e477];
-                    phi_4082_ = false;
-                    phi_852_ = type_32(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e459);
-                    phi_855_ = type_49(type_28(vec4<f32>((f32(_e468) * _e141), (f32(_e474) * _e141), (f32(_e480) * _e141), 0f), vec4<f32>((f32(_e485) * _e141), (f32(_e489) * _e141), (f32(_e493) * _e141), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
-                    phi_857_ = ((3u * _e90) + 1u);
-                    phi_859_ = (_e461 <= _e459);
-                    phi_861_ = 0u;
+                    let _e654 = local[_e638];
+                    phi_4509_ = false;
+                    phi_1155_ = type_32(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e620);
+                    phi_1158_ = type_49(type_28(vec4<f32>((f32(_e629) * _e147), (f32(_e635) * _e147), (f32(_e641) * _e147), 0f), vec4<f32>((f32(_e646) * _e147), (f32(_e650) * _e147), (f32(_e654) * _e147), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
+                    phi_1160_ = ((3u * _e96) + 1u);
+                    phi_1162_ = (_e622 <= _e620);
+                    phi_1164_ = 0u;
                     loop {
-                        let _e503 = phi_4082_;
-                        let _e505 = phi_852_;
-                        let _e507 = phi_855_;
-                        let _e509 = phi_857_;
-                        let _e511 = phi_859_;
-                        let _e513 = phi_861_;
-                        local_10 = _e505;
-                        if _e511 {
-                            phi_872_ = true;
+                        let _e664 = phi_4509_;
+                        let _e666 = phi_1155_;
+                        let _e668 = phi_1158_;
+                        let _e670 = phi_1160_;
+                        let _e672 = phi_1162_;
+                        let _e674 = phi_1164_;
+                        local_10 = _e666;
+                        if _e672 {
+                            phi_1175_ = true;
                         } else {
-                            phi_872_ = (_e513 > 0u);
+                            phi_1175_ = (_e674 > 0u);
                         }
-                        let _e516 = phi_872_;
-                        if _e516 {
-                            let _e517 = (_e509 > 0u);
-                            if _e517 {
-                                if _e511 {
-                                    phi_958_ = _e507;
-                                    phi_959_ = _e511;
-                                    phi_960_ = _e513;
+                        let _e677 = phi_1175_;
+                        if _e677 {
+                            let _e678 = (_e670 > 0u);
+                            if _e678 {
+                                if _e672 {
+                                    phi_1261_ = _e668;
+                                    phi_1262_ = _e672;
+                                    phi_1263_ = _e674;
                                 } else {
-                                    let _e518 = (_e513 - 1u);
-                                    let _e519 = (_e518 % 128u);
-                                    let _e520 = (_e519 < 128u);
-                                    if _e520 {
+                                    let _e679 = (_e674 - 1u);
+                                    let _e680 = (_e679 % 128u);
+                                    let _e681 = (_e680 < 128u);
+                                    if _e681 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e522 = local_7[_e519];
-                                    if _e520 {
+                                    let _e683 = local_7[_e680];
+                                    if _e681 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e524 = local_6[_e519];
-                                    if _e520 {
+                                    let _e685 = local_6[_e680];
+                                    if _e681 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e526 = local_5[_e519];
-                                    if _e520 {
+                                    let _e687 = local_5[_e680];
+                                    if _e681 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e528 = local_4[_e519];
-                                    if _e520 {
+                                    let _e689 = local_4[_e680];
+                                    if _e681 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e530 = local_3[_e519];
-                                    if _e520 {
+                                    let _e691 = local_3[_e680];
+                                    if _e681 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e532 = local_2[_e519];
-                                    if _e520 {
+                                    let _e693 = local_2[_e680];
+                                    if _e681 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e537 = local_8[_e519];
-                                    if _e520 {
+                                    let _e698 = local_8[_e680];
+                                    if _e681 {
                                     } else {
-                                        phi_4265_ = true;
+                                        phi_4710_ = true;
                                         break;
                                     }
-                                    let _e540 = local_9[_e519];
-                                    phi_958_ = type_49(type_28(vec4<f32>(_e522, _e524, _e526, 0f), vec4<f32>(_e528, _e530, _e532, 0f)), _e537);
-                                    phi_959_ = (_e540 <= _e505.member_1);
-                                    phi_960_ = _e518;
+                                    let _e701 = local_9[_e680];
+                                    phi_1261_ = type_49(type_28(vec4<f32>(_e683, _e685, _e687, 0f), vec4<f32>(_e689, _e691, _e693, 0f)), _e698);
+                                    phi_1262_ = (_e701 <= _e666.member_1);
+                                    phi_1263_ = _e679;
                                 }
-                                let _e544 = phi_958_;
-                                let _e546 = phi_959_;
-                                let _e548 = phi_960_;
-                                if _e546 {
-                                    let _e553 = (_e544.member_1 & 268435455u);
-                                    if ((_e544.member_1 & 2147483648u) != 0u) {
-                                        phi_979_ = _e505;
-                                        phi_982_ = type_8(0u, ((_e544.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e705 = phi_1261_;
+                                let _e707 = phi_1262_;
+                                let _e709 = phi_1263_;
+                                if _e707 {
+                                    let _e714 = (_e705.member_1 & 268435455u);
+                                    if ((_e705.member_1 & 2147483648u) != 0u) {
+                                        phi_1282_ = _e666;
+                                        phi_1285_ = type_8(0u, ((_e705.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1031 = phi_979_;
-                                            let _e1033 = phi_982_;
-                                            local_11 = _e1031;
-                                            if (_e1033.member < _e1033.member_1) {
-                                                phi_983_ = type_8((_e1033.member + 1u), _e1033.member_1);
-                                                phi_1005_ = type_8(1u, _e1033.member);
+                                            let _e1198 = phi_1282_;
+                                            let _e1200 = phi_1285_;
+                                            local_11 = _e1198;
+                                            if (_e1200.member < _e1200.member_1) {
+                                                phi_1286_ = type_8((_e1200.member + 1u), _e1200.member_1);
+                                                phi_1308_ = type_8(1u, _e1200.member);
                                             } else {
-                                                phi_983_ = _e1033;
-                                                phi_1005_ = type_8(0u, type_8().member_1);
+                                                phi_1286_ = _e1200;
+                                                phi_1308_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1046 = phi_983_;
-                                            let _e1048 = phi_1005_;
-                                            let _e1052 = (bitcast<i32>(_e1048.member) != 0i);
-                                            if _e1052 {
-                                                let _e1057 = (_e544.member.member_1.x - _e544.member.member.x);
-                                                let _e1060 = (_e544.member.member_1.y - _e544.member.member.y);
-                                                let _e1063 = (_e544.member.member_1.z - _e544.member.member.z);
-                                                let _e1065 = select(_e1060, _e1057, (_e1057 > _e1060));
-                                                let _e1067 = select(_e1063, _e1065, (_e1065 > _e1063));
-                                                let _e1069 = (_e1067 < (1024f * _e141));
-                                                if _e1069 {
-                                                    phi_1046_ = 0u;
+                                            let _e1213 = phi_1286_;
+                                            let _e1215 = phi_1308_;
+                                            let _e1219 = (bitcast<i32>(_e1215.member) != 0i);
+                                            if _e1219 {
+                                                let _e1224 = (_e705.member.member_1.x - _e705.member.member.x);
+                                                let _e1227 = (_e705.member.member_1.y - _e705.member.member.y);
+                                                let _e1230 = (_e705.member.member_1.z - _e705.member.member.z);
+                                                let _e1232 = select(_e1227, _e1224, (_e1224 > _e1227));
+                                                let _e1234 = select(_e1230, _e1232, (_e1232 > _e1230));
+                                                let _e1236 = (_e1234 < (1024f * _e147));
+                                                if _e1236 {
+                                                    phi_1349_ = 0u;
                                                 } else {
-                                                    phi_1046_ = select(2u, 1u, (_e1067 < (2097152f * _e141)));
+                                                    phi_1349_ = select(2u, 1u, (_e1234 < (2097152f * _e147)));
                                                 }
-                                                let _e1074 = phi_1046_;
-                                                switch bitcast<i32>(_e1074) {
+                                                let _e1241 = phi_1349_;
+                                                switch bitcast<i32>(_e1241) {
                                                     case 0: {
-                                                        phi_1052_ = 1u;
+                                                        phi_1355_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1052_ = 2u;
+                                                        phi_1355_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1052_ = 3u;
+                                                        phi_1355_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1052_ = u32();
+                                                        phi_1355_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1077 = phi_1052_;
-                                                switch bitcast<i32>(_e1074) {
+                                                let _e1244 = phi_1355_;
+                                                switch bitcast<i32>(_e1241) {
                                                     case 0: {
-                                                        phi_1062_ = 1u;
+                                                        phi_1365_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1062_ = 2u;
+                                                        phi_1365_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1062_ = 3u;
+                                                        phi_1365_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1062_ = u32();
+                                                        phi_1365_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1084 = phi_1062_;
-                                                let _e1086 = ((_e553 + (_e1048.member_1 * ((3u * _e1077) + 1u))) + (3u * _e1084));
-                                                let _e1087 = (_e1086 < _e93);
-                                                if _e1087 {
-                                                    if _e1087 {
+                                                let _e1251 = phi_1365_;
+                                                let _e1253 = ((_e714 + (_e1215.member_1 * ((3u * _e1244) + 1u))) + (3u * _e1251));
+                                                let _e1254 = (_e1253 < _e99);
+                                                if _e1254 {
+                                                    if _e1254 {
                                                     } else {
-                                                        phi_4076_ = true;
+                                                        phi_4503_ = true;
                                                         break;
                                                     }
-                                                    let _e1089 = global_5.member[_e1086];
-                                                    phi_1078_ = _e1089;
+                                                    let _e1256 = global_5.member[_e1253];
+                                                    phi_1381_ = _e1256;
                                                 } else {
-                                                    phi_1078_ = 4294967295u;
+                                                    phi_1381_ = 4294967295u;
                                                 }
-                                                let _e1091 = phi_1078_;
-                                                if _e1069 {
-                                                    phi_1111_ = 0u;
+                                                let _e1258 = phi_1381_;
+                                                if _e1236 {
+                                                    phi_1414_ = 0u;
                                                 } else {
-                                                    phi_1111_ = select(2u, 1u, (_e1067 < (2097152f * _e141)));
+                                                    phi_1414_ = select(2u, 1u, (_e1234 < (2097152f * _e147)));
                                                 }
-                                                let _e1096 = phi_1111_;
-                                                switch bitcast<i32>(_e1096) {
+                                                let _e1263 = phi_1414_;
+                                                switch bitcast<i32>(_e1263) {
                                                     case 0: {
-                                                        phi_1117_ = 1u;
+                                                        phi_1420_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1117_ = 2u;
+                                                        phi_1420_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1117_ = 3u;
+                                                        phi_1420_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1117_ = u32();
+                                                        phi_1420_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1099 = phi_1117_;
-                                                let _e1103 = (_e553 + (_e1048.member_1 * ((3u * _e1099) + 1u)));
-                                                switch bitcast<i32>(_e1096) {
+                                                let _e1266 = phi_1420_;
+                                                let _e1270 = (_e714 + (_e1215.member_1 * ((3u * _e1266) + 1u)));
+                                                switch bitcast<i32>(_e1263) {
                                                     case 0: {
-                                                        let _e1369 = (_e1103 < _e93);
-                                                        if _e1369 {
-                                                            if _e1369 {
+                                                        let _e1545 = (_e1270 < _e99);
+                                                        if _e1545 {
+                                                            if _e1545 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1371 = global_5.member[_e1103];
-                                                            phi_1141_ = _e1371;
+                                                            let _e1547 = global_5.member[_e1270];
+                                                            phi_1444_ = _e1547;
                                                         } else {
-                                                            phi_1141_ = 0u;
+                                                            phi_1444_ = 0u;
                                                         }
-                                                        let _e1373 = phi_1141_;
-                                                        let _e1375 = ((10u * _e261) & 31u);
-                                                        let _e1384 = ((10u * _e260) & 31u);
-                                                        let _e1393 = ((10u * _e262) & 31u);
-                                                        let _e1402 = (_e1103 + 1u);
-                                                        let _e1403 = (_e1402 < _e93);
-                                                        if _e1403 {
-                                                            if _e1403 {
+                                                        let _e1549 = phi_1444_;
+                                                        let _e1551 = ((10u * _e267) & 31u);
+                                                        let _e1561 = ((10u * _e266) & 31u);
+                                                        let _e1571 = ((10u * _e268) & 31u);
+                                                        let _e1581 = (_e1270 + 1u);
+                                                        let _e1582 = (_e1581 < _e99);
+                                                        if _e1582 {
+                                                            if _e1582 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1405 = global_5.member[_e1402];
-                                                            phi_1184_ = _e1405;
+                                                            let _e1584 = global_5.member[_e1581];
+                                                            phi_1490_ = _e1584;
                                                         } else {
-                                                            phi_1184_ = 0u;
+                                                            phi_1490_ = 0u;
                                                         }
-                                                        let _e1407 = phi_1184_;
-                                                        let _e1430 = (_e1103 + 2u);
-                                                        let _e1431 = (_e1430 < _e93);
-                                                        if _e1431 {
-                                                            if _e1431 {
+                                                        let _e1586 = phi_1490_;
+                                                        let _e1612 = (_e1270 + 2u);
+                                                        let _e1613 = (_e1612 < _e99);
+                                                        if _e1613 {
+                                                            if _e1613 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1433 = global_5.member[_e1430];
-                                                            phi_1227_ = _e1433;
+                                                            let _e1615 = global_5.member[_e1612];
+                                                            phi_1536_ = _e1615;
                                                         } else {
-                                                            phi_1227_ = 0u;
+                                                            phi_1536_ = 0u;
                                                         }
-                                                        let _e1435 = phi_1227_;
-                                                        phi_1698_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1375)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1384)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1393)) & 1023u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1375)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1384)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1393)) & 1023u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1375)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1384)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1393)) & 1023u))) * _e141))));
+                                                        let _e1617 = phi_1536_;
+                                                        phi_2019_ = array<array<f32, 3>, 3>(array<f32, 3>((_e705.member.member.x + ((bitcast<f32>((1258291200u | ((_e1549 >> bitcast<u32>(_e1551)) & 1023u))) - 8388608f) * _e147)), (_e705.member.member.y + ((bitcast<f32>((1258291200u | ((_e1549 >> bitcast<u32>(_e1561)) & 1023u))) - 8388608f) * _e147)), (_e705.member.member.z + ((bitcast<f32>((1258291200u | ((_e1549 >> bitcast<u32>(_e1571)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e705.member.member.x + ((bitcast<f32>((1258291200u | ((_e1586 >> bitcast<u32>(_e1551)) & 1023u))) - 8388608f) * _e147)), (_e705.member.member.y + ((bitcast<f32>((1258291200u | ((_e1586 >> bitcast<u32>(_e1561)) & 1023u))) - 8388608f) * _e147)), (_e705.member.member.z + ((bitcast<f32>((1258291200u | ((_e1586 >> bitcast<u32>(_e1571)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e705.member.member.x + ((bitcast<f32>((1258291200u | ((_e1617 >> bitcast<u32>(_e1551)) & 1023u))) - 8388608f) * _e147)), (_e705.member.member.y + ((bitcast<f32>((1258291200u | ((_e1617 >> bitcast<u32>(_e1561)) & 1023u))) - 8388608f) * _e147)), (_e705.member.member.z + ((bitcast<f32>((1258291200u | ((_e1617 >> bitcast<u32>(_e1571)) & 1023u))) - 8388608f) * _e147))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1192 = (_e1103 < _e93);
-                                                        if _e1192 {
-                                                            if _e1192 {
+                                                        let _e1359 = (_e1270 < _e99);
+                                                        if _e1359 {
+                                                            if _e1359 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1194 = global_5.member[_e1103];
-                                                            phi_1270_ = _e1194;
+                                                            let _e1361 = global_5.member[_e1270];
+                                                            phi_1582_ = _e1361;
                                                         } else {
-                                                            phi_1270_ = 0u;
+                                                            phi_1582_ = 0u;
                                                         }
-                                                        let _e1196 = phi_1270_;
-                                                        let _e1197 = (_e1103 + 1u);
-                                                        let _e1198 = (_e1197 < _e93);
-                                                        if _e1198 {
-                                                            if _e1198 {
+                                                        let _e1363 = phi_1582_;
+                                                        let _e1364 = (_e1270 + 1u);
+                                                        let _e1365 = (_e1364 < _e99);
+                                                        if _e1365 {
+                                                            if _e1365 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1200 = global_5.member[_e1197];
-                                                            phi_1285_ = _e1200;
+                                                            let _e1367 = global_5.member[_e1364];
+                                                            phi_1597_ = _e1367;
                                                         } else {
-                                                            phi_1285_ = 0u;
+                                                            phi_1597_ = 0u;
                                                         }
-                                                        let _e1202 = phi_1285_;
-                                                        let _e1203 = (_e261 == 1u);
-                                                        if _e1203 {
-                                                            phi_1295_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
+                                                        let _e1369 = phi_1597_;
+                                                        let _e1370 = (_e267 == 1u);
+                                                        if _e1370 {
+                                                            phi_1607_ = ((_e1363 >> bitcast<u32>(21i)) | (_e1369 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1295_ = (_e1202 >> bitcast<u32>(10i));
+                                                            phi_1607_ = (_e1369 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1212 = phi_1295_;
-                                                        let _e1219 = (_e260 == 1u);
-                                                        if _e1219 {
-                                                            phi_1315_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
+                                                        let _e1379 = phi_1607_;
+                                                        let _e1387 = (_e266 == 1u);
+                                                        if _e1387 {
+                                                            phi_1628_ = ((_e1363 >> bitcast<u32>(21i)) | (_e1369 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1315_ = (_e1202 >> bitcast<u32>(10i));
+                                                            phi_1628_ = (_e1369 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1228 = phi_1315_;
-                                                        let _e1235 = (_e262 == 1u);
-                                                        if _e1235 {
-                                                            phi_1335_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
+                                                        let _e1396 = phi_1628_;
+                                                        let _e1404 = (_e268 == 1u);
+                                                        if _e1404 {
+                                                            phi_1649_ = ((_e1363 >> bitcast<u32>(21i)) | (_e1369 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1335_ = (_e1202 >> bitcast<u32>(10i));
+                                                            phi_1649_ = (_e1369 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1244 = phi_1335_;
-                                                        let _e1252 = (_e1103 + 2u);
-                                                        let _e1253 = (_e1252 < _e93);
-                                                        if _e1253 {
-                                                            if _e1253 {
+                                                        let _e1413 = phi_1649_;
+                                                        let _e1422 = (_e1270 + 2u);
+                                                        let _e1423 = (_e1422 < _e99);
+                                                        if _e1423 {
+                                                            if _e1423 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1255 = global_5.member[_e1252];
-                                                            phi_1361_ = _e1255;
+                                                            let _e1425 = global_5.member[_e1422];
+                                                            phi_1676_ = _e1425;
                                                         } else {
-                                                            phi_1361_ = 0u;
+                                                            phi_1676_ = 0u;
                                                         }
-                                                        let _e1257 = phi_1361_;
-                                                        let _e1258 = (_e1103 + 3u);
-                                                        let _e1259 = (_e1258 < _e93);
-                                                        if _e1259 {
-                                                            if _e1259 {
+                                                        let _e1427 = phi_1676_;
+                                                        let _e1428 = (_e1270 + 3u);
+                                                        let _e1429 = (_e1428 < _e99);
+                                                        if _e1429 {
+                                                            if _e1429 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1261 = global_5.member[_e1258];
-                                                            phi_1376_ = _e1261;
+                                                            let _e1431 = global_5.member[_e1428];
+                                                            phi_1691_ = _e1431;
                                                         } else {
-                                                            phi_1376_ = 0u;
+                                                            phi_1691_ = 0u;
                                                         }
-                                                        let _e1263 = phi_1376_;
-                                                        if _e1203 {
-                                                            phi_1386_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        let _e1433 = phi_1691_;
+                                                        if _e1370 {
+                                                            phi_1701_ = ((_e1427 >> bitcast<u32>(21i)) | (_e1433 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1386_ = (_e1263 >> bitcast<u32>(10i));
+                                                            phi_1701_ = (_e1433 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1272 = phi_1386_;
-                                                        if _e1219 {
-                                                            phi_1406_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        let _e1442 = phi_1701_;
+                                                        if _e1387 {
+                                                            phi_1722_ = ((_e1427 >> bitcast<u32>(21i)) | (_e1433 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1406_ = (_e1263 >> bitcast<u32>(10i));
+                                                            phi_1722_ = (_e1433 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1287 = phi_1406_;
-                                                        if _e1235 {
-                                                            phi_1426_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        let _e1458 = phi_1722_;
+                                                        if _e1404 {
+                                                            phi_1743_ = ((_e1427 >> bitcast<u32>(21i)) | (_e1433 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1426_ = (_e1263 >> bitcast<u32>(10i));
+                                                            phi_1743_ = (_e1433 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1302 = phi_1426_;
-                                                        let _e1310 = (_e1103 + 4u);
-                                                        let _e1311 = (_e1310 < _e93);
+                                                        let _e1474 = phi_1743_;
+                                                        let _e1483 = (_e1270 + 4u);
+                                                        let _e1484 = (_e1483 < _e99);
+                                                        if _e1484 {
+                                                            if _e1484 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1486 = global_5.member[_e1483];
+                                                            phi_1770_ = _e1486;
+                                                        } else {
+                                                            phi_1770_ = 0u;
+                                                        }
+                                                        let _e1488 = phi_1770_;
+                                                        let _e1489 = (_e1270 + 5u);
+                                                        let _e1490 = (_e1489 < _e99);
+                                                        if _e1490 {
+                                                            if _e1490 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1492 = global_5.member[_e1489];
+                                                            phi_1785_ = _e1492;
+                                                        } else {
+                                                            phi_1785_ = 0u;
+                                                        }
+                                                        let _e1494 = phi_1785_;
+                                                        if _e1370 {
+                                                            phi_1795_ = ((_e1488 >> bitcast<u32>(21i)) | (_e1494 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1795_ = (_e1494 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1503 = phi_1795_;
+                                                        if _e1387 {
+                                                            phi_1816_ = ((_e1488 >> bitcast<u32>(21i)) | (_e1494 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1816_ = (_e1494 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1519 = phi_1816_;
+                                                        if _e1404 {
+                                                            phi_1837_ = ((_e1488 >> bitcast<u32>(21i)) | (_e1494 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1837_ = (_e1494 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1535 = phi_1837_;
+                                                        phi_2019_ = array<array<f32, 3>, 3>(array<f32, 3>((_e705.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1379, _e1363, _e306) & 2097151u))) - 8388608f) * _e147)), (_e705.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1396, _e1363, _e375) & 2097151u))) - 8388608f) * _e147)), (_e705.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1413, _e1363, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e705.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1442, _e1427, _e306) & 2097151u))) - 8388608f) * _e147)), (_e705.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1458, _e1427, _e375) & 2097151u))) - 8388608f) * _e147)), (_e705.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1474, _e1427, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e705.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1503, _e1488, _e306) & 2097151u))) - 8388608f) * _e147)), (_e705.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1519, _e1488, _e375) & 2097151u))) - 8388608f) * _e147)), (_e705.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1535, _e1488, _e443) & 2097151u))) - 8388608f) * _e147))));
+                                                        break;
+                                                    }
+                                                    case 2: {
+                                                        let _e1272 = (_e1270 + _e267);
+                                                        let _e1273 = (_e1272 < _e99);
+                                                        if _e1273 {
+                                                            if _e1273 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1275 = global_5.member[_e1272];
+                                                            phi_1865_ = _e1275;
+                                                        } else {
+                                                            phi_1865_ = 0u;
+                                                        }
+                                                        let _e1277 = phi_1865_;
+                                                        let _e1281 = (_e1270 + _e266);
+                                                        let _e1282 = (_e1281 < _e99);
+                                                        if _e1282 {
+                                                            if _e1282 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1284 = global_5.member[_e1281];
+                                                            phi_1883_ = _e1284;
+                                                        } else {
+                                                            phi_1883_ = 0u;
+                                                        }
+                                                        let _e1286 = phi_1883_;
+                                                        let _e1290 = (_e1270 + _e268);
+                                                        let _e1291 = (_e1290 < _e99);
+                                                        if _e1291 {
+                                                            if _e1291 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1293 = global_5.member[_e1290];
+                                                            phi_1901_ = _e1293;
+                                                        } else {
+                                                            phi_1901_ = 0u;
+                                                        }
+                                                        let _e1295 = phi_1901_;
+                                                        let _e1300 = (_e1270 + 3u);
+                                                        let _e1301 = (_e1300 + _e267);
+                                                        let _e1302 = (_e1301 < _e99);
+                                                        if _e1302 {
+                                                            if _e1302 {
+                                                            } else {
+                                                                phi_4503_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1304 = global_5.member[_e1301];
+                                                            phi_1921_ = _e1304;
+                                                        } else {
+                                                            phi_1921_ = 0u;
+                                                        }
+                                                        let _e1306 = phi_1921_;
+                                                        let _e1310 = (_e1300 + _e266);
+                                                        let _e1311 = (_e1310 < _e99);
                                                         if _e1311 {
                                                             if _e1311 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
                                                             let _e1313 = global_5.member[_e1310];
-                                                            phi_1452_ = _e1313;
+                                                            phi_1939_ = _e1313;
                                                         } else {
-                                                            phi_1452_ = 0u;
+                                                            phi_1939_ = 0u;
                                                         }
-                                                        let _e1315 = phi_1452_;
-                                                        let _e1316 = (_e1103 + 5u);
-                                                        let _e1317 = (_e1316 < _e93);
-                                                        if _e1317 {
-                                                            if _e1317 {
+                                                        let _e1315 = phi_1939_;
+                                                        let _e1319 = (_e1300 + _e268);
+                                                        let _e1320 = (_e1319 < _e99);
+                                                        if _e1320 {
+                                                            if _e1320 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1319 = global_5.member[_e1316];
-                                                            phi_1467_ = _e1319;
+                                                            let _e1322 = global_5.member[_e1319];
+                                                            phi_1957_ = _e1322;
                                                         } else {
-                                                            phi_1467_ = 0u;
+                                                            phi_1957_ = 0u;
                                                         }
-                                                        let _e1321 = phi_1467_;
-                                                        if _e1203 {
-                                                            phi_1477_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1477_ = (_e1321 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1330 = phi_1477_;
-                                                        if _e1219 {
-                                                            phi_1497_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1497_ = (_e1321 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1345 = phi_1497_;
-                                                        if _e1235 {
-                                                            phi_1517_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1517_ = (_e1321 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1360 = phi_1517_;
-                                                        phi_1698_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1212, _e1196, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1228, _e1196, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1244, _e1196, _e377) & 2097151u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1272, _e1257, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1287, _e1257, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1302, _e1257, _e377) & 2097151u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1330, _e1315, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1345, _e1315, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1360, _e1315, _e377) & 2097151u))) * _e141))));
-                                                        break;
-                                                    }
-                                                    case 2: {
-                                                        let _e1105 = (_e1103 + _e261);
-                                                        let _e1106 = (_e1105 < _e93);
-                                                        if _e1106 {
-                                                            if _e1106 {
+                                                        let _e1324 = phi_1957_;
+                                                        let _e1329 = (_e1270 + 6u);
+                                                        let _e1330 = (_e1329 + _e267);
+                                                        let _e1331 = (_e1330 < _e99);
+                                                        if _e1331 {
+                                                            if _e1331 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1108 = global_5.member[_e1105];
-                                                            phi_1544_ = _e1108;
+                                                            let _e1333 = global_5.member[_e1330];
+                                                            phi_1977_ = _e1333;
                                                         } else {
-                                                            phi_1544_ = 0u;
+                                                            phi_1977_ = 0u;
                                                         }
-                                                        let _e1110 = phi_1544_;
-                                                        let _e1114 = (_e1103 + _e260);
-                                                        let _e1115 = (_e1114 < _e93);
-                                                        if _e1115 {
-                                                            if _e1115 {
+                                                        let _e1335 = phi_1977_;
+                                                        let _e1339 = (_e1329 + _e266);
+                                                        let _e1340 = (_e1339 < _e99);
+                                                        if _e1340 {
+                                                            if _e1340 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1117 = global_5.member[_e1114];
-                                                            phi_1562_ = _e1117;
+                                                            let _e1342 = global_5.member[_e1339];
+                                                            phi_1995_ = _e1342;
                                                         } else {
-                                                            phi_1562_ = 0u;
+                                                            phi_1995_ = 0u;
                                                         }
-                                                        let _e1119 = phi_1562_;
-                                                        let _e1123 = (_e1103 + _e262);
-                                                        let _e1124 = (_e1123 < _e93);
-                                                        if _e1124 {
-                                                            if _e1124 {
+                                                        let _e1344 = phi_1995_;
+                                                        let _e1348 = (_e1329 + _e268);
+                                                        let _e1349 = (_e1348 < _e99);
+                                                        if _e1349 {
+                                                            if _e1349 {
                                                             } else {
-                                                                phi_4076_ = true;
+                                                                phi_4503_ = true;
                                                                 break;
                                                             }
-                                                            let _e1126 = global_5.member[_e1123];
-                                                            phi_1580_ = _e1126;
+                                                            let _e1351 = global_5.member[_e1348];
+                                                            phi_2013_ = _e1351;
                                                         } else {
-                                                            phi_1580_ = 0u;
+                                                            phi_2013_ = 0u;
                                                         }
-                                                        let _e1128 = phi_1580_;
-                                                        let _e1133 = (_e1103 + 3u);
-                                                        let _e1134 = (_e1133 + _e261);
-                                                        let _e1135 = (_e1134 < _e93);
-                                                        if _e1135 {
-                                                            if _e1135 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1137 = global_5.member[_e1134];
-                                                            phi_1600_ = _e1137;
-                                                        } else {
-                                                            phi_1600_ = 0u;
-                                                        }
-                                                        let _e1139 = phi_1600_;
-                                                        let _e1143 = (_e1133 + _e260);
-                                                        let _e1144 = (_e1143 < _e93);
-                                                        if _e1144 {
-                                                            if _e1144 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1146 = global_5.member[_e1143];
-                                                            phi_1618_ = _e1146;
-                                                        } else {
-                                                            phi_1618_ = 0u;
-                                                        }
-                                                        let _e1148 = phi_1618_;
-                                                        let _e1152 = (_e1133 + _e262);
-                                                        let _e1153 = (_e1152 < _e93);
-                                                        if _e1153 {
-                                                            if _e1153 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1155 = global_5.member[_e1152];
-                                                            phi_1636_ = _e1155;
-                                                        } else {
-                                                            phi_1636_ = 0u;
-                                                        }
-                                                        let _e1157 = phi_1636_;
-                                                        let _e1162 = (_e1103 + 6u);
-                                                        let _e1163 = (_e1162 + _e261);
-                                                        let _e1164 = (_e1163 < _e93);
-                                                        if _e1164 {
-                                                            if _e1164 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1166 = global_5.member[_e1163];
-                                                            phi_1656_ = _e1166;
-                                                        } else {
-                                                            phi_1656_ = 0u;
-                                                        }
-                                                        let _e1168 = phi_1656_;
-                                                        let _e1172 = (_e1162 + _e260);
-                                                        let _e1173 = (_e1172 < _e93);
-                                                        if _e1173 {
-                                                            if _e1173 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1175 = global_5.member[_e1172];
-                                                            phi_1674_ = _e1175;
-                                                        } else {
-                                                            phi_1674_ = 0u;
-                                                        }
-                                                        let _e1177 = phi_1674_;
-                                                        let _e1181 = (_e1162 + _e262);
-                                                        let _e1182 = (_e1181 < _e93);
-                                                        if _e1182 {
-                                                            if _e1182 {
-                                                            } else {
-                                                                phi_4076_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1184 = global_5.member[_e1181];
-                                                            phi_1692_ = _e1184;
-                                                        } else {
-                                                            phi_1692_ = 0u;
-                                                        }
-                                                        let _e1186 = phi_1692_;
-                                                        phi_1698_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1110)) * _e141), (f32(bitcast<i32>(_e1119)) * _e141), (f32(bitcast<i32>(_e1128)) * _e141)), array<f32, 3>((f32(bitcast<i32>(_e1139)) * _e141), (f32(bitcast<i32>(_e1148)) * _e141), (f32(bitcast<i32>(_e1157)) * _e141)), array<f32, 3>((f32(bitcast<i32>(_e1168)) * _e141), (f32(bitcast<i32>(_e1177)) * _e141), (f32(bitcast<i32>(_e1186)) * _e141)));
+                                                        let _e1353 = phi_2013_;
+                                                        phi_2019_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1277)) * _e147), (f32(bitcast<i32>(_e1286)) * _e147), (f32(bitcast<i32>(_e1295)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1306)) * _e147), (f32(bitcast<i32>(_e1315)) * _e147), (f32(bitcast<i32>(_e1324)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1335)) * _e147), (f32(bitcast<i32>(_e1344)) * _e147), (f32(bitcast<i32>(_e1353)) * _e147)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1698_ = array<array<f32, 3>, 3>();
+                                                        phi_2019_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1460 = phi_1698_;
-                                                let _e1468 = (_e1460[0][2] - _e387);
-                                                let _e1471 = (((_e1460[0][0] - _e310) * _e411) - (_e1468 * _e335));
-                                                let _e1474 = (((_e1460[0][1] - _e349) * _e411) - (_e1468 * _e373));
-                                                let _e1481 = (_e1460[1][2] - _e387);
-                                                let _e1484 = (((_e1460[1][0] - _e310) * _e411) - (_e1481 * _e335));
-                                                let _e1487 = (((_e1460[1][1] - _e349) * _e411) - (_e1481 * _e373));
-                                                let _e1494 = (_e1460[2][2] - _e387);
-                                                let _e1497 = (((_e1460[2][0] - _e310) * _e411) - (_e1494 * _e335));
-                                                let _e1500 = (((_e1460[2][1] - _e349) * _e411) - (_e1494 * _e373));
-                                                let _e1501 = (_e1497 * _e1487);
-                                                let _e1502 = (_e1500 * _e1484);
-                                                let _e1503 = (_e1471 * _e1500);
-                                                let _e1504 = (_e1474 * _e1497);
-                                                let _e1505 = (_e1484 * _e1474);
-                                                let _e1506 = (_e1487 * _e1471);
-                                                let _e1511 = (((_e1501 >= _e1502) && (_e1503 >= _e1504)) && (_e1505 >= _e1506));
-                                                if (_e1511 || (((_e1501 <= _e1502) && (_e1503 <= _e1504)) && (_e1505 <= _e1506))) {
-                                                    let _e1518 = select(-1f, 1f, _e1511);
-                                                    let _e1520 = ((_e1501 - _e1502) * _e1518);
-                                                    let _e1522 = select(0f, _e1520, (_e1520 > 0f));
-                                                    let _e1524 = ((_e1503 - _e1504) * _e1518);
-                                                    let _e1526 = select(0f, _e1524, (_e1524 > 0f));
-                                                    let _e1528 = ((_e1505 - _e1506) * _e1518);
-                                                    let _e1530 = select(0f, _e1528, (_e1528 > 0f));
-                                                    let _e1532 = ((_e1522 + _e1526) + _e1530);
-                                                    if (_e1532 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2523_ = type_20();
-                                                        phi_2524_ = true;
-                                                        phi_2525_ = false;
+                                                let _e1645 = phi_2019_;
+                                                let _e1653 = (_e1645[0][2] - _e468);
+                                                let _e1656 = (((_e1645[0][0] - _e331) * _e507) - (_e1653 * _e371));
+                                                let _e1659 = (((_e1645[0][1] - _e400) * _e507) - (_e1653 * _e439));
+                                                let _e1666 = (_e1645[1][2] - _e468);
+                                                let _e1669 = (((_e1645[1][0] - _e331) * _e507) - (_e1666 * _e371));
+                                                let _e1672 = (((_e1645[1][1] - _e400) * _e507) - (_e1666 * _e439));
+                                                let _e1679 = (_e1645[2][2] - _e468);
+                                                let _e1682 = (((_e1645[2][0] - _e331) * _e507) - (_e1679 * _e371));
+                                                let _e1685 = (((_e1645[2][1] - _e400) * _e507) - (_e1679 * _e439));
+                                                let _e1686 = (_e1682 * _e1672);
+                                                let _e1687 = (_e1685 * _e1669);
+                                                let _e1688 = (_e1656 * _e1685);
+                                                let _e1689 = (_e1659 * _e1682);
+                                                let _e1690 = (_e1669 * _e1659);
+                                                let _e1691 = (_e1672 * _e1656);
+                                                let _e1696 = (((_e1686 >= _e1687) && (_e1688 >= _e1689)) && (_e1690 >= _e1691));
+                                                if (_e1696 || (((_e1686 <= _e1687) && (_e1688 <= _e1689)) && (_e1690 <= _e1691))) {
+                                                    let _e1703 = select(-1f, 1f, _e1696);
+                                                    let _e1705 = ((_e1686 - _e1687) * _e1703);
+                                                    let _e1707 = select(0f, _e1705, (_e1705 > 0f));
+                                                    let _e1709 = ((_e1688 - _e1689) * _e1703);
+                                                    let _e1711 = select(0f, _e1709, (_e1709 > 0f));
+                                                    let _e1713 = ((_e1690 - _e1691) * _e1703);
+                                                    let _e1715 = select(0f, _e1713, (_e1713 > 0f));
+                                                    let _e1717 = ((_e1707 + _e1711) + _e1715);
+                                                    if (_e1717 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2844_ = type_20();
+                                                        phi_2845_ = true;
+                                                        phi_2846_ = false;
                                                     } else {
-                                                        let _e1535 = select(_e1484, _e1471, (_e1471 < _e1484));
-                                                        if (select(_e1497, _e1535, (_e1535 < _e1497)) > 0f) {
-                                                            phi_1815_ = true;
+                                                        let _e1720 = select(_e1669, _e1656, (_e1656 < _e1669));
+                                                        if (select(_e1682, _e1720, (_e1720 < _e1682)) > 0f) {
+                                                            phi_2136_ = true;
                                                         } else {
-                                                            let _e1540 = select(_e1484, _e1471, (_e1471 > _e1484));
-                                                            phi_1815_ = (select(_e1497, _e1540, (_e1540 > _e1497)) < 0f);
+                                                            let _e1725 = select(_e1669, _e1656, (_e1656 > _e1669));
+                                                            phi_2136_ = (select(_e1682, _e1725, (_e1725 > _e1682)) < 0f);
                                                         }
-                                                        let _e1545 = phi_1815_;
-                                                        if _e1545 {
-                                                            phi_2520_ = type_20();
-                                                            phi_2521_ = true;
-                                                            phi_2522_ = false;
+                                                        let _e1730 = phi_2136_;
+                                                        if _e1730 {
+                                                            phi_2841_ = type_20();
+                                                            phi_2842_ = true;
+                                                            phi_2843_ = false;
                                                         } else {
-                                                            let _e1547 = select(_e1487, _e1474, (_e1474 < _e1487));
-                                                            if (select(_e1500, _e1547, (_e1547 < _e1500)) > 0f) {
-                                                                phi_1844_ = true;
+                                                            let _e1732 = select(_e1672, _e1659, (_e1659 < _e1672));
+                                                            if (select(_e1685, _e1732, (_e1732 < _e1685)) > 0f) {
+                                                                phi_2165_ = true;
                                                             } else {
-                                                                let _e1552 = select(_e1487, _e1474, (_e1474 > _e1487));
-                                                                phi_1844_ = (select(_e1500, _e1552, (_e1552 > _e1500)) < 0f);
+                                                                let _e1737 = select(_e1672, _e1659, (_e1659 > _e1672));
+                                                                phi_2165_ = (select(_e1685, _e1737, (_e1737 > _e1685)) < 0f);
                                                             }
-                                                            let _e1557 = phi_1844_;
-                                                            if _e1557 {
-                                                                phi_2518_ = type_20();
-                                                                phi_2519_ = false;
+                                                            let _e1742 = phi_2165_;
+                                                            if _e1742 {
+                                                                phi_2839_ = type_20();
+                                                                phi_2840_ = false;
                                                             } else {
-                                                                let _e1559 = select(_e1460[1][0], _e1460[0][0], (_e1460[0][0] < _e1460[1][0]));
-                                                                let _e1563 = select(_e1460[1][0], _e1460[0][0], (_e1460[0][0] > _e1460[1][0]));
-                                                                let _e1567 = select(_e1460[1][1], _e1460[0][1], (_e1460[0][1] < _e1460[1][1]));
-                                                                let _e1571 = select(_e1460[1][1], _e1460[0][1], (_e1460[0][1] > _e1460[1][1]));
-                                                                let _e1575 = select(_e1460[1][2], _e1460[0][2], (_e1460[0][2] < _e1460[1][2]));
-                                                                let _e1579 = select(_e1460[1][2], _e1460[0][2], (_e1460[0][2] > _e1460[1][2]));
-                                                                let _e1584 = ((select(_e1460[2][0], _e1559, (_e1559 < _e1460[2][0])) - _e333) * _e338);
-                                                                let _e1585 = ((select(_e1460[2][0], _e1563, (_e1563 > _e1460[2][0])) - _e334) * _e338);
-                                                                let _e1588 = ((select(_e1460[2][1], _e1567, (_e1567 < _e1460[2][1])) - _e371) * _e376);
-                                                                let _e1589 = ((select(_e1460[2][1], _e1571, (_e1571 > _e1460[2][1])) - _e372) * _e376);
-                                                                let _e1592 = ((select(_e1460[2][2], _e1575, (_e1575 < _e1460[2][2])) - _e409) * _e414);
-                                                                let _e1593 = ((select(_e1460[2][2], _e1579, (_e1579 > _e1460[2][2])) - _e410) * _e414);
-                                                                let _e1595 = select(_e1593, _e1592, (_e1592 < _e1593));
-                                                                let _e1597 = select(_e1593, _e1592, (_e1592 > _e1593));
-                                                                let _e1599 = select(_e1585, _e1584, (_e1584 < _e1585));
-                                                                let _e1601 = select(_e1589, _e1588, (_e1588 < _e1589));
-                                                                let _e1603 = select(_e1601, _e1599, (_e1599 > _e1601));
-                                                                let _e1605 = select(_e1595, _e1603, (_e1603 > _e1595));
-                                                                let _e1607 = select(_e1585, _e1584, (_e1584 > _e1585));
-                                                                let _e1609 = select(_e1589, _e1588, (_e1588 > _e1589));
-                                                                let _e1611 = select(_e1609, _e1607, (_e1607 < _e1609));
-                                                                let _e1613 = select(_e1597, _e1611, (_e1611 < _e1597));
-                                                                let _e1614 = -(_e1595);
-                                                                let _e1620 = select(_e461, _e1605, (_e1605 > _e461));
-                                                                if (_e1620 > (_e1613 + (select(_e1614, _e1597, (_e1597 > _e1614)) * 0.0000019073523f))) {
-                                                                    phi_2513_ = type_20();
-                                                                    phi_2514_ = true;
+                                                                let _e1744 = select(_e1645[1][0], _e1645[0][0], (_e1645[0][0] < _e1645[1][0]));
+                                                                let _e1748 = select(_e1645[1][0], _e1645[0][0], (_e1645[0][0] > _e1645[1][0]));
+                                                                let _e1752 = select(_e1645[1][1], _e1645[0][1], (_e1645[0][1] < _e1645[1][1]));
+                                                                let _e1756 = select(_e1645[1][1], _e1645[0][1], (_e1645[0][1] > _e1645[1][1]));
+                                                                let _e1760 = select(_e1645[1][2], _e1645[0][2], (_e1645[0][2] < _e1645[1][2]));
+                                                                let _e1764 = select(_e1645[1][2], _e1645[0][2], (_e1645[0][2] > _e1645[1][2]));
+                                                                let _e1769 = ((select(_e1645[2][0], _e1744, (_e1744 < _e1645[2][0])) - _e369) * _e374);
+                                                                let _e1770 = ((select(_e1645[2][0], _e1748, (_e1748 > _e1645[2][0])) - _e370) * _e374);
+                                                                let _e1773 = ((select(_e1645[2][1], _e1752, (_e1752 < _e1645[2][1])) - _e437) * _e442);
+                                                                let _e1774 = ((select(_e1645[2][1], _e1756, (_e1756 > _e1645[2][1])) - _e438) * _e442);
+                                                                let _e1777 = ((select(_e1645[2][2], _e1760, (_e1760 < _e1645[2][2])) - _e505) * _e510);
+                                                                let _e1778 = ((select(_e1645[2][2], _e1764, (_e1764 > _e1645[2][2])) - _e506) * _e510);
+                                                                let _e1780 = select(_e1778, _e1777, (_e1777 < _e1778));
+                                                                let _e1782 = select(_e1778, _e1777, (_e1777 > _e1778));
+                                                                let _e1784 = select(_e1770, _e1769, (_e1769 < _e1770));
+                                                                let _e1786 = select(_e1774, _e1773, (_e1773 < _e1774));
+                                                                let _e1788 = select(_e1786, _e1784, (_e1784 > _e1786));
+                                                                let _e1790 = select(_e1780, _e1788, (_e1788 > _e1780));
+                                                                let _e1792 = select(_e1770, _e1769, (_e1769 > _e1770));
+                                                                let _e1794 = select(_e1774, _e1773, (_e1773 > _e1774));
+                                                                let _e1796 = select(_e1794, _e1792, (_e1792 < _e1794));
+                                                                let _e1798 = select(_e1782, _e1796, (_e1796 < _e1782));
+                                                                let _e1799 = -(_e1780);
+                                                                let _e1805 = select(_e622, _e1790, (_e1790 > _e622));
+                                                                if (_e1805 > (_e1798 + (select(_e1799, _e1782, (_e1782 > _e1799)) * 0.0000019073523f))) {
+                                                                    phi_2834_ = type_20();
+                                                                    phi_2835_ = true;
                                                                 } else {
-                                                                    let _e1622 = (_e1620 > _e1031.member_1);
-                                                                    if _e1622 {
-                                                                        phi_2512_ = type_20();
+                                                                    let _e1807 = (_e1805 > _e1198.member_1);
+                                                                    if _e1807 {
+                                                                        phi_2833_ = type_20();
                                                                     } else {
-                                                                        let _e1623 = vec3<f32>(_e1460[0][0], _e1460[0][1], _e1460[0][2]);
-                                                                        let _e1624 = vec3<f32>(_e1460[1][0], _e1460[1][1], _e1460[1][2]);
-                                                                        let _e1625 = vec3<f32>(_e1460[2][0], _e1460[2][1], _e1460[2][2]);
-                                                                        let _e1626 = (_e1460[1][0] - _e1460[0][0]);
-                                                                        let _e1627 = (_e1460[1][1] - _e1460[0][1]);
-                                                                        let _e1628 = (_e1460[1][2] - _e1460[0][2]);
-                                                                        let _e1629 = vec3<f32>(_e1626, _e1627, _e1628);
-                                                                        let _e1630 = (_e1460[2][0] - _e1460[1][0]);
-                                                                        let _e1631 = (_e1460[2][1] - _e1460[1][1]);
-                                                                        let _e1632 = (_e1460[2][2] - _e1460[1][2]);
-                                                                        let _e1633 = vec3<f32>(_e1630, _e1631, _e1632);
-                                                                        let _e1634 = (_e1460[0][0] - _e1460[2][0]);
-                                                                        let _e1635 = (_e1460[0][1] - _e1460[2][1]);
-                                                                        let _e1636 = (_e1460[0][2] - _e1460[2][2]);
-                                                                        let _e1637 = vec3<f32>(_e1634, _e1635, _e1636);
-                                                                        let _e1640 = bitcast<f32>((bitcast<u32>(_e1626) & 2147483647u));
-                                                                        let _e1643 = bitcast<f32>((bitcast<u32>(_e1627) & 2147483647u));
-                                                                        let _e1645 = select(_e1643, _e1640, (_e1640 > _e1643));
-                                                                        let _e1648 = bitcast<f32>((bitcast<u32>(_e1628) & 2147483647u));
-                                                                        let _e1650 = select(_e1648, _e1645, (_e1645 > _e1648));
-                                                                        let _e1653 = bitcast<f32>((bitcast<u32>(_e1630) & 2147483647u));
-                                                                        let _e1656 = bitcast<f32>((bitcast<u32>(_e1631) & 2147483647u));
-                                                                        let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
-                                                                        let _e1661 = bitcast<f32>((bitcast<u32>(_e1632) & 2147483647u));
-                                                                        let _e1663 = select(_e1661, _e1658, (_e1658 > _e1661));
-                                                                        let _e1666 = bitcast<f32>((bitcast<u32>(_e1634) & 2147483647u));
-                                                                        let _e1669 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
-                                                                        let _e1671 = select(_e1669, _e1666, (_e1666 > _e1669));
-                                                                        let _e1674 = bitcast<f32>((bitcast<u32>(_e1636) & 2147483647u));
-                                                                        let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
-                                                                        let _e1678 = select(_e1663, _e1650, (_e1650 > _e1663));
-                                                                        let _e1680 = select(_e1676, _e1678, (_e1678 > _e1676));
-                                                                        if (_e1650 == _e1680) {
-                                                                            phi_2245_ = _e1487;
-                                                                            phi_2246_ = _e1484;
-                                                                            phi_2247_ = _e1474;
-                                                                            phi_2248_ = _e1471;
-                                                                            phi_2249_ = _e1623;
-                                                                            phi_2250_ = _e1637;
-                                                                            phi_2251_ = _e1633;
-                                                                            phi_2252_ = _e1629;
+                                                                        let _e1808 = vec3<f32>(_e1645[0][0], _e1645[0][1], _e1645[0][2]);
+                                                                        let _e1809 = vec3<f32>(_e1645[1][0], _e1645[1][1], _e1645[1][2]);
+                                                                        let _e1810 = vec3<f32>(_e1645[2][0], _e1645[2][1], _e1645[2][2]);
+                                                                        let _e1811 = (_e1645[1][0] - _e1645[0][0]);
+                                                                        let _e1812 = (_e1645[1][1] - _e1645[0][1]);
+                                                                        let _e1813 = (_e1645[1][2] - _e1645[0][2]);
+                                                                        let _e1814 = vec3<f32>(_e1811, _e1812, _e1813);
+                                                                        let _e1815 = (_e1645[2][0] - _e1645[1][0]);
+                                                                        let _e1816 = (_e1645[2][1] - _e1645[1][1]);
+                                                                        let _e1817 = (_e1645[2][2] - _e1645[1][2]);
+                                                                        let _e1818 = vec3<f32>(_e1815, _e1816, _e1817);
+                                                                        let _e1819 = (_e1645[0][0] - _e1645[2][0]);
+                                                                        let _e1820 = (_e1645[0][1] - _e1645[2][1]);
+                                                                        let _e1821 = (_e1645[0][2] - _e1645[2][2]);
+                                                                        let _e1822 = vec3<f32>(_e1819, _e1820, _e1821);
+                                                                        let _e1825 = bitcast<f32>((bitcast<u32>(_e1811) & 2147483647u));
+                                                                        let _e1828 = bitcast<f32>((bitcast<u32>(_e1812) & 2147483647u));
+                                                                        let _e1830 = select(_e1828, _e1825, (_e1825 > _e1828));
+                                                                        let _e1833 = bitcast<f32>((bitcast<u32>(_e1813) & 2147483647u));
+                                                                        let _e1835 = select(_e1833, _e1830, (_e1830 > _e1833));
+                                                                        let _e1838 = bitcast<f32>((bitcast<u32>(_e1815) & 2147483647u));
+                                                                        let _e1841 = bitcast<f32>((bitcast<u32>(_e1816) & 2147483647u));
+                                                                        let _e1843 = select(_e1841, _e1838, (_e1838 > _e1841));
+                                                                        let _e1846 = bitcast<f32>((bitcast<u32>(_e1817) & 2147483647u));
+                                                                        let _e1848 = select(_e1846, _e1843, (_e1843 > _e1846));
+                                                                        let _e1851 = bitcast<f32>((bitcast<u32>(_e1819) & 2147483647u));
+                                                                        let _e1854 = bitcast<f32>((bitcast<u32>(_e1820) & 2147483647u));
+                                                                        let _e1856 = select(_e1854, _e1851, (_e1851 > _e1854));
+                                                                        let _e1859 = bitcast<f32>((bitcast<u32>(_e1821) & 2147483647u));
+                                                                        let _e1861 = select(_e1859, _e1856, (_e1856 > _e1859));
+                                                                        let _e1863 = select(_e1848, _e1835, (_e1835 > _e1848));
+                                                                        let _e1865 = select(_e1861, _e1863, (_e1863 > _e1861));
+                                                                        if (_e1835 == _e1865) {
+                                                                            phi_2566_ = _e1672;
+                                                                            phi_2567_ = _e1669;
+                                                                            phi_2568_ = _e1659;
+                                                                            phi_2569_ = _e1656;
+                                                                            phi_2570_ = _e1808;
+                                                                            phi_2571_ = _e1822;
+                                                                            phi_2572_ = _e1818;
+                                                                            phi_2573_ = _e1814;
                                                                         } else {
-                                                                            let _e1682 = (_e1663 == _e1680);
-                                                                            let _e1687 = vec3(_e1682);
-                                                                            phi_2245_ = select(_e1474, _e1500, _e1682);
-                                                                            phi_2246_ = select(_e1471, _e1497, _e1682);
-                                                                            phi_2247_ = select(_e1500, _e1487, _e1682);
-                                                                            phi_2248_ = select(_e1497, _e1484, _e1682);
-                                                                            phi_2249_ = select(_e1625, _e1624, _e1687);
-                                                                            phi_2250_ = select(_e1633, _e1629, _e1687);
-                                                                            phi_2251_ = select(_e1629, _e1637, _e1687);
-                                                                            phi_2252_ = select(_e1637, _e1633, _e1687);
+                                                                            let _e1867 = (_e1848 == _e1865);
+                                                                            let _e1872 = vec3(_e1867);
+                                                                            phi_2566_ = select(_e1659, _e1685, _e1867);
+                                                                            phi_2567_ = select(_e1656, _e1682, _e1867);
+                                                                            phi_2568_ = select(_e1685, _e1672, _e1867);
+                                                                            phi_2569_ = select(_e1682, _e1669, _e1867);
+                                                                            phi_2570_ = select(_e1810, _e1809, _e1872);
+                                                                            phi_2571_ = select(_e1818, _e1814, _e1872);
+                                                                            phi_2572_ = select(_e1814, _e1822, _e1872);
+                                                                            phi_2573_ = select(_e1822, _e1818, _e1872);
                                                                         }
-                                                                        let _e1693 = phi_2245_;
-                                                                        let _e1695 = phi_2246_;
-                                                                        let _e1697 = phi_2247_;
-                                                                        let _e1699 = phi_2248_;
-                                                                        let _e1701 = phi_2249_;
-                                                                        let _e1703 = phi_2250_;
-                                                                        let _e1705 = phi_2251_;
-                                                                        let _e1707 = phi_2252_;
-                                                                        let _e1714 = ((_e1705.y * _e1703.z) - (_e1703.y * _e1705.z));
-                                                                        let _e1719 = ((_e1705.z * _e1703.x) - (_e1703.z * _e1705.x));
-                                                                        let _e1722 = ((_e1705.x * _e1703.y) - (_e1703.x * _e1705.y));
-                                                                        if (_e1522 >= _e1526) {
-                                                                            phi_2283_ = select(true, false, (_e1522 >= _e1530));
+                                                                        let _e1878 = phi_2566_;
+                                                                        let _e1880 = phi_2567_;
+                                                                        let _e1882 = phi_2568_;
+                                                                        let _e1884 = phi_2569_;
+                                                                        let _e1886 = phi_2570_;
+                                                                        let _e1888 = phi_2571_;
+                                                                        let _e1890 = phi_2572_;
+                                                                        let _e1892 = phi_2573_;
+                                                                        let _e1899 = ((_e1890.y * _e1888.z) - (_e1888.y * _e1890.z));
+                                                                        let _e1904 = ((_e1890.z * _e1888.x) - (_e1888.z * _e1890.x));
+                                                                        let _e1907 = ((_e1890.x * _e1888.y) - (_e1888.x * _e1890.y));
+                                                                        if (_e1707 >= _e1711) {
+                                                                            phi_2604_ = select(true, false, (_e1707 >= _e1715));
                                                                         } else {
-                                                                            phi_2283_ = true;
+                                                                            phi_2604_ = true;
                                                                         }
-                                                                        let _e1727 = phi_2283_;
-                                                                        if _e1727 {
-                                                                            phi_2292_ = select(_e1625, _e1624, vec3((_e1526 >= _e1530)));
+                                                                        let _e1912 = phi_2604_;
+                                                                        if _e1912 {
+                                                                            phi_2613_ = select(_e1810, _e1809, vec3((_e1711 >= _e1715)));
                                                                         } else {
-                                                                            phi_2292_ = _e1623;
+                                                                            phi_2613_ = _e1808;
                                                                         }
-                                                                        let _e1732 = phi_2292_;
-                                                                        let _e1743 = (((_e1714 * (_e1732.x - _e310)) + (_e1719 * (_e1732.y - _e349))) + (_e1722 * (_e1732.z - _e387)));
-                                                                        let _e1748 = (((_e1714 * _e335) + (_e1719 * _e373)) + (_e1722 * _e411));
-                                                                        let _e1749 = (_e1695 - _e1699);
-                                                                        let _e1750 = (_e1693 - _e1697);
-                                                                        let _e1758 = (-(((_e1699 * _e1749) + (_e1697 * _e1750))) / ((_e1749 * _e1749) + (_e1750 * _e1750)));
-                                                                        let _e1760 = select(1f, _e1758, (_e1758 < 1f));
-                                                                        let _e1762 = select(0f, _e1760, (_e1760 > 0f));
-                                                                        let _e1775 = ((_e1701.x + (_e1707.x * _e1762)) - _e310);
-                                                                        let _e1776 = ((_e1701.y + (_e1707.y * _e1762)) - _e349);
-                                                                        let _e1777 = ((_e1701.z + (_e1707.z * _e1762)) - _e387);
-                                                                        let _e1778 = (_e1777 / _e411);
-                                                                        let _e1790 = bitcast<f32>((bitcast<u32>(_e1775) & 2147483647u));
-                                                                        let _e1793 = bitcast<f32>((bitcast<u32>(_e1776) & 2147483647u));
-                                                                        let _e1795 = select(_e1793, _e1790, (_e1790 > _e1793));
-                                                                        let _e1798 = bitcast<f32>((bitcast<u32>(_e1777) & 2147483647u));
-                                                                        let _e1800 = select(_e1798, _e1795, (_e1795 > _e1798));
-                                                                        let _e1806 = bitcast<f32>((bitcast<u32>(_e1714) & 2147483647u));
-                                                                        let _e1809 = bitcast<f32>((bitcast<u32>(_e1719) & 2147483647u));
-                                                                        let _e1811 = select(_e1809, _e1806, (_e1806 > _e1809));
-                                                                        let _e1814 = bitcast<f32>((bitcast<u32>(_e1722) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1714 * _e1775) + (_e1719 * _e1776)) + (_e1722 * _e1777)) - _e1743)) & 2147483647u)) <= ((0.0000009536743f * select(_e1680, _e1800, (_e1800 > _e1680))) * select(_e1814, _e1811, (_e1811 > _e1814)))) {
-                                                                            let _e1824 = bitcast<f32>((bitcast<u32>(_e1705.x) & 2147483647u));
-                                                                            let _e1827 = bitcast<f32>((bitcast<u32>(_e1705.y) & 2147483647u));
-                                                                            let _e1829 = select(_e1827, _e1824, (_e1824 > _e1827));
-                                                                            let _e1832 = bitcast<f32>((bitcast<u32>(_e1705.z) & 2147483647u));
-                                                                            let _e1838 = bitcast<f32>((bitcast<u32>(_e1703.x) & 2147483647u));
-                                                                            let _e1841 = bitcast<f32>((bitcast<u32>(_e1703.y) & 2147483647u));
-                                                                            let _e1843 = select(_e1841, _e1838, (_e1838 > _e1841));
-                                                                            let _e1846 = bitcast<f32>((bitcast<u32>(_e1703.z) & 2147483647u));
-                                                                            let _e1850 = (bitcast<f32>((bitcast<u32>(_e1748) & 2147483647u)) > ((0.0000038146973f * select(_e1832, _e1829, (_e1829 > _e1832))) * select(_e1846, _e1843, (_e1843 > _e1846))));
-                                                                            if _e1850 {
-                                                                                phi_2457_ = (_e1743 / _e1748);
+                                                                        let _e1917 = phi_2613_;
+                                                                        let _e1928 = (((_e1899 * (_e1917.x - _e331)) + (_e1904 * (_e1917.y - _e400))) + (_e1907 * (_e1917.z - _e468)));
+                                                                        let _e1933 = (((_e1899 * _e371) + (_e1904 * _e439)) + (_e1907 * _e507));
+                                                                        let _e1934 = (_e1880 - _e1884);
+                                                                        let _e1935 = (_e1878 - _e1882);
+                                                                        let _e1943 = (-(((_e1884 * _e1934) + (_e1882 * _e1935))) / ((_e1934 * _e1934) + (_e1935 * _e1935)));
+                                                                        let _e1945 = select(1f, _e1943, (_e1943 < 1f));
+                                                                        let _e1947 = select(0f, _e1945, (_e1945 > 0f));
+                                                                        let _e1960 = ((_e1886.x + (_e1892.x * _e1947)) - _e331);
+                                                                        let _e1961 = ((_e1886.y + (_e1892.y * _e1947)) - _e400);
+                                                                        let _e1962 = ((_e1886.z + (_e1892.z * _e1947)) - _e468);
+                                                                        let _e1963 = (_e1962 / _e507);
+                                                                        let _e1975 = bitcast<f32>((bitcast<u32>(_e1960) & 2147483647u));
+                                                                        let _e1978 = bitcast<f32>((bitcast<u32>(_e1961) & 2147483647u));
+                                                                        let _e1980 = select(_e1978, _e1975, (_e1975 > _e1978));
+                                                                        let _e1983 = bitcast<f32>((bitcast<u32>(_e1962) & 2147483647u));
+                                                                        let _e1985 = select(_e1983, _e1980, (_e1980 > _e1983));
+                                                                        let _e1991 = bitcast<f32>((bitcast<u32>(_e1899) & 2147483647u));
+                                                                        let _e1994 = bitcast<f32>((bitcast<u32>(_e1904) & 2147483647u));
+                                                                        let _e1996 = select(_e1994, _e1991, (_e1991 > _e1994));
+                                                                        let _e1999 = bitcast<f32>((bitcast<u32>(_e1907) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1899 * _e1960) + (_e1904 * _e1961)) + (_e1907 * _e1962)) - _e1928)) & 2147483647u)) <= ((0.0000009536743f * select(_e1865, _e1985, (_e1985 > _e1865))) * select(_e1999, _e1996, (_e1996 > _e1999)))) {
+                                                                            let _e2009 = bitcast<f32>((bitcast<u32>(_e1890.x) & 2147483647u));
+                                                                            let _e2012 = bitcast<f32>((bitcast<u32>(_e1890.y) & 2147483647u));
+                                                                            let _e2014 = select(_e2012, _e2009, (_e2009 > _e2012));
+                                                                            let _e2017 = bitcast<f32>((bitcast<u32>(_e1890.z) & 2147483647u));
+                                                                            let _e2023 = bitcast<f32>((bitcast<u32>(_e1888.x) & 2147483647u));
+                                                                            let _e2026 = bitcast<f32>((bitcast<u32>(_e1888.y) & 2147483647u));
+                                                                            let _e2028 = select(_e2026, _e2023, (_e2023 > _e2026));
+                                                                            let _e2031 = bitcast<f32>((bitcast<u32>(_e1888.z) & 2147483647u));
+                                                                            let _e2035 = (bitcast<f32>((bitcast<u32>(_e1933) & 2147483647u)) > ((0.0000038146973f * select(_e2017, _e2014, (_e2014 > _e2017))) * select(_e2031, _e2028, (_e2028 > _e2031))));
+                                                                            if _e2035 {
+                                                                                phi_2778_ = (_e1928 / _e1933);
                                                                             } else {
-                                                                                phi_2457_ = f32();
+                                                                                phi_2778_ = f32();
                                                                             }
-                                                                            let _e1853 = phi_2457_;
-                                                                            phi_2459_ = _e1853;
-                                                                            phi_2460_ = select(true, false, _e1850);
+                                                                            let _e2038 = phi_2778_;
+                                                                            phi_2780_ = _e2038;
+                                                                            phi_2781_ = select(true, false, _e2035);
                                                                         } else {
-                                                                            phi_2459_ = f32();
-                                                                            phi_2460_ = true;
+                                                                            phi_2780_ = f32();
+                                                                            phi_2781_ = true;
                                                                         }
-                                                                        let _e1856 = phi_2459_;
-                                                                        let _e1858 = phi_2460_;
-                                                                        if _e1858 {
-                                                                            let _e1866 = (((_e1714 * (_e1775 - (_e335 * _e1778))) + (_e1719 * (_e1776 - (_e373 * _e1778)))) / _e1748);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1866) & 2147483647u)) <= _e1680) {
-                                                                                phi_2480_ = (_e1778 + _e1866);
+                                                                        let _e2041 = phi_2780_;
+                                                                        let _e2043 = phi_2781_;
+                                                                        if _e2043 {
+                                                                            let _e2051 = (((_e1899 * (_e1960 - (_e371 * _e1963))) + (_e1904 * (_e1961 - (_e439 * _e1963)))) / _e1933);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e2051) & 2147483647u)) <= _e1865) {
+                                                                                phi_2801_ = (_e1963 + _e2051);
                                                                             } else {
-                                                                                phi_2480_ = _e1778;
+                                                                                phi_2801_ = _e1963;
                                                                             }
-                                                                            let _e1873 = phi_2480_;
-                                                                            phi_2481_ = _e1873;
+                                                                            let _e2058 = phi_2801_;
+                                                                            phi_2802_ = _e2058;
                                                                         } else {
-                                                                            phi_2481_ = _e1856;
+                                                                            phi_2802_ = _e2041;
                                                                         }
-                                                                        let _e1875 = phi_2481_;
-                                                                        let _e1877 = select(_e1613, _e1875, (_e1875 < _e1613));
-                                                                        let _e1879 = select(_e1605, _e1877, (_e1877 > _e1605));
-                                                                        if (_e1879 >= _e461) {
-                                                                            let _e1881 = (_e1879 <= _e1031.member_1);
-                                                                            if _e1881 {
-                                                                                let _e1882 = (1f / _e1532);
-                                                                                phi_2504_ = type_20(_e1879, (_e1526 * _e1882), (_e1530 * _e1882), _e1091);
+                                                                        let _e2060 = phi_2802_;
+                                                                        let _e2062 = select(_e1798, _e2060, (_e2060 < _e1798));
+                                                                        let _e2064 = select(_e1790, _e2062, (_e2062 > _e1790));
+                                                                        if (_e2064 >= _e622) {
+                                                                            let _e2066 = (_e2064 <= _e1198.member_1);
+                                                                            if _e2066 {
+                                                                                let _e2067 = (1f / _e1717);
+                                                                                phi_2825_ = type_20(_e2064, (_e1711 * _e2067), (_e1715 * _e2067), _e1258);
                                                                             } else {
-                                                                                phi_2504_ = type_20();
+                                                                                phi_2825_ = type_20();
                                                                             }
-                                                                            let _e1887 = phi_2504_;
-                                                                            phi_2506_ = _e1887;
-                                                                            phi_2507_ = select(true, false, _e1881);
+                                                                            let _e2072 = phi_2825_;
+                                                                            phi_2827_ = _e2072;
+                                                                            phi_2828_ = select(true, false, _e2066);
                                                                         } else {
-                                                                            phi_2506_ = type_20();
-                                                                            phi_2507_ = true;
+                                                                            phi_2827_ = type_20();
+                                                                            phi_2828_ = true;
                                                                         }
-                                                                        let _e1890 = phi_2506_;
-                                                                        let _e1892 = phi_2507_;
-                                                                        if _e1892 {
-                                                                            phi_2511_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e2075 = phi_2827_;
+                                                                        let _e2077 = phi_2828_;
+                                                                        if _e2077 {
+                                                                            phi_2832_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2511_ = _e1890;
+                                                                            phi_2832_ = _e2075;
                                                                         }
-                                                                        let _e1894 = phi_2511_;
-                                                                        phi_2512_ = _e1894;
+                                                                        let _e2079 = phi_2832_;
+                                                                        phi_2833_ = _e2079;
                                                                     }
-                                                                    let _e1896 = phi_2512_;
-                                                                    phi_2513_ = _e1896;
-                                                                    phi_2514_ = _e1622;
+                                                                    let _e2081 = phi_2833_;
+                                                                    phi_2834_ = _e2081;
+                                                                    phi_2835_ = _e1807;
                                                                 }
-                                                                let _e1898 = phi_2513_;
-                                                                let _e1900 = phi_2514_;
-                                                                phi_2518_ = _e1898;
-                                                                phi_2519_ = _e1900;
+                                                                let _e2083 = phi_2834_;
+                                                                let _e2085 = phi_2835_;
+                                                                phi_2839_ = _e2083;
+                                                                phi_2840_ = _e2085;
                                                             }
-                                                            let _e1902 = phi_2518_;
-                                                            let _e1904 = phi_2519_;
-                                                            phi_2520_ = _e1902;
-                                                            phi_2521_ = _e1557;
-                                                            phi_2522_ = _e1904;
+                                                            let _e2087 = phi_2839_;
+                                                            let _e2089 = phi_2840_;
+                                                            phi_2841_ = _e2087;
+                                                            phi_2842_ = _e1742;
+                                                            phi_2843_ = _e2089;
                                                         }
-                                                        let _e1906 = phi_2520_;
-                                                        let _e1908 = phi_2521_;
-                                                        let _e1910 = phi_2522_;
-                                                        phi_2523_ = _e1906;
-                                                        phi_2524_ = _e1908;
-                                                        phi_2525_ = _e1910;
+                                                        let _e2091 = phi_2841_;
+                                                        let _e2093 = phi_2842_;
+                                                        let _e2095 = phi_2843_;
+                                                        phi_2844_ = _e2091;
+                                                        phi_2845_ = _e2093;
+                                                        phi_2846_ = _e2095;
                                                     }
-                                                    let _e1912 = phi_2523_;
-                                                    let _e1914 = phi_2524_;
-                                                    let _e1916 = phi_2525_;
-                                                    phi_2533_ = _e1912;
-                                                    phi_2534_ = select(_e1916, true, _e1914);
+                                                    let _e2097 = phi_2844_;
+                                                    let _e2099 = phi_2845_;
+                                                    let _e2101 = phi_2846_;
+                                                    phi_2854_ = _e2097;
+                                                    phi_2855_ = select(_e2101, true, _e2099);
                                                 } else {
-                                                    phi_2533_ = type_20();
-                                                    phi_2534_ = true;
+                                                    phi_2854_ = type_20();
+                                                    phi_2855_ = true;
                                                 }
-                                                let _e1919 = phi_2533_;
-                                                let _e1921 = phi_2534_;
-                                                if _e1921 {
-                                                    phi_2538_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e2104 = phi_2854_;
+                                                let _e2106 = phi_2855_;
+                                                if _e2106 {
+                                                    phi_2859_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2538_ = _e1919;
+                                                    phi_2859_ = _e2104;
                                                 }
-                                                let _e1923 = phi_2538_;
-                                                if (_e1923.member_3 != 4294967295u) {
-                                                    if (_e1091 != 4294967295u) {
-                                                        if (_e1923.member < _e1031.member.member) {
-                                                            phi_2564_ = true;
+                                                let _e2108 = phi_2859_;
+                                                if (_e2108.member_3 != 4294967295u) {
+                                                    if (_e1258 != 4294967295u) {
+                                                        if (_e2108.member < _e1198.member.member) {
+                                                            phi_2885_ = true;
                                                         } else {
-                                                            if (_e1923.member == _e1031.member.member) {
-                                                                phi_2563_ = (_e1923.member_3 < _e1031.member.member_3);
+                                                            if (_e2108.member == _e1198.member.member) {
+                                                                phi_2884_ = (_e2108.member_3 < _e1198.member.member_3);
                                                             } else {
-                                                                phi_2563_ = false;
+                                                                phi_2884_ = false;
                                                             }
-                                                            let _e1936 = phi_2563_;
-                                                            phi_2564_ = _e1936;
+                                                            let _e2121 = phi_2884_;
+                                                            phi_2885_ = _e2121;
                                                         }
-                                                        let _e1938 = phi_2564_;
-                                                        if _e1938 {
-                                                            phi_2570_ = type_32(_e1923, _e1923.member);
+                                                        let _e2123 = phi_2885_;
+                                                        if _e2123 {
+                                                            phi_2891_ = type_32(_e2108, _e2108.member);
                                                         } else {
-                                                            phi_2570_ = _e1031;
+                                                            phi_2891_ = _e1198;
                                                         }
-                                                        let _e1941 = phi_2570_;
-                                                        phi_2571_ = _e1941;
+                                                        let _e2126 = phi_2891_;
+                                                        phi_2892_ = _e2126;
                                                     } else {
-                                                        phi_2571_ = _e1031;
+                                                        phi_2892_ = _e1198;
                                                     }
-                                                    let _e1943 = phi_2571_;
-                                                    phi_2572_ = _e1943;
+                                                    let _e2128 = phi_2892_;
+                                                    phi_2893_ = _e2128;
                                                 } else {
-                                                    phi_2572_ = _e1031;
+                                                    phi_2893_ = _e1198;
                                                 }
-                                                let _e1945 = phi_2572_;
-                                                phi_980_ = _e1945;
+                                                let _e2130 = phi_2893_;
+                                                phi_1283_ = _e2130;
                                             } else {
-                                                phi_980_ = type_32();
+                                                phi_1283_ = type_32();
                                             }
-                                            let _e1947 = phi_980_;
+                                            let _e2132 = phi_1283_;
                                             continue;
                                             continuing {
-                                                phi_979_ = _e1947;
-                                                phi_982_ = _e1046;
-                                                phi_4076_ = _e503;
-                                                break if !(_e1052);
+                                                phi_1282_ = _e2132;
+                                                phi_1285_ = _e1213;
+                                                phi_4503_ = _e664;
+                                                break if !(_e1219);
                                             }
                                         }
-                                        let _e1950 = phi_4076_;
-                                        phi_4265_ = _e1950;
-                                        if _e1950 {
+                                        let _e2135 = phi_4503_;
+                                        phi_4710_ = _e2135;
+                                        if _e2135 {
                                             break;
                                         }
-                                        phi_4269_ = _e1950;
-                                        let _e2178 = local_11;
-                                        phi_3812_ = _e2178;
-                                        phi_3813_ = _e544;
-                                        phi_3814_ = false;
-                                        phi_3815_ = _e548;
+                                        phi_4714_ = _e2135;
+                                        let _e2462 = local_11;
+                                        phi_4133_ = _e2462;
+                                        phi_4134_ = _e705;
+                                        phi_4135_ = false;
+                                        phi_4136_ = _e709;
                                     } else {
-                                        if (_e544.member_1 >= _e90) {
-                                            phi_3368_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e705.member_1 >= _e96) {
+                                            phi_3689_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e544.member_1 < _e90) {
+                                            if (_e705.member_1 < _e96) {
                                             } else {
-                                                phi_4265_ = true;
+                                                phi_4710_ = true;
                                                 break;
                                             }
-                                            let _e560 = (_e261 * 2u);
-                                            let _e562 = ((1u + _e560) % 7u);
-                                            if (_e562 < 7u) {
+                                            let _e721 = (_e267 * 2u);
+                                            let _e723 = ((1u + _e721) % 7u);
+                                            if (_e723 < 7u) {
                                             } else {
-                                                phi_4265_ = true;
+                                                phi_4710_ = true;
                                                 break;
                                             }
-                                            let _e567 = global_4.member[_e544.member_1][_e562];
-                                            let _e569 = ((_e560 + 2u) % 7u);
-                                            if (_e569 < 7u) {
+                                            let _e728 = global_4.member[_e705.member_1][_e723];
+                                            let _e730 = ((_e721 + 2u) % 7u);
+                                            if (_e730 < 7u) {
                                             } else {
-                                                phi_4265_ = true;
+                                                phi_4710_ = true;
                                                 break;
                                             }
-                                            let _e574 = global_4.member[_e544.member_1][_e569];
-                                            let _e575 = (_e260 * 2u);
-                                            let _e577 = ((1u + _e575) % 7u);
-                                            if (_e577 < 7u) {
+                                            let _e735 = global_4.member[_e705.member_1][_e730];
+                                            let _e736 = (_e266 * 2u);
+                                            let _e738 = ((1u + _e736) % 7u);
+                                            if (_e738 < 7u) {
                                             } else {
-                                                phi_4265_ = true;
+                                                phi_4710_ = true;
                                                 break;
                                             }
-                                            let _e582 = global_4.member[_e544.member_1][_e577];
-                                            let _e584 = ((_e575 + 2u) % 7u);
-                                            if (_e584 < 7u) {
+                                            let _e743 = global_4.member[_e705.member_1][_e738];
+                                            let _e745 = ((_e736 + 2u) % 7u);
+                                            if (_e745 < 7u) {
                                             } else {
-                                                phi_4265_ = true;
+                                                phi_4710_ = true;
                                                 break;
                                             }
-                                            let _e589 = global_4.member[_e544.member_1][_e584];
-                                            let _e590 = (_e262 * 2u);
-                                            let _e592 = ((1u + _e590) % 7u);
-                                            if (_e592 < 7u) {
+                                            let _e750 = global_4.member[_e705.member_1][_e745];
+                                            let _e751 = (_e268 * 2u);
+                                            let _e753 = ((1u + _e751) % 7u);
+                                            if (_e753 < 7u) {
                                             } else {
-                                                phi_4265_ = true;
+                                                phi_4710_ = true;
                                                 break;
                                             }
-                                            let _e597 = global_4.member[_e544.member_1][_e592];
-                                            let _e599 = ((_e590 + 2u) % 7u);
-                                            if (_e599 < 7u) {
+                                            let _e758 = global_4.member[_e705.member_1][_e753];
+                                            let _e760 = ((_e751 + 2u) % 7u);
+                                            if (_e760 < 7u) {
                                             } else {
-                                                phi_4265_ = true;
+                                                phi_4710_ = true;
                                                 break;
                                             }
-                                            let _e604 = global_4.member[_e544.member_1][_e599];
-                                            let _e627 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.x - _e544.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e628 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.y - _e544.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e629 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.z - _e544.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e631 = select(_e141, _e627, (_e627 > _e141));
-                                            let _e633 = select(_e141, _e628, (_e628 > _e141));
-                                            let _e635 = select(_e141, _e629, (_e629 > _e141));
-                                            let _e660 = bitcast<u32>((f32(bitcast<i32>((_e567 & 2097151u))) * _e631));
-                                            let _e665 = (bitcast<i32>((_e567 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e668 = bitcast<f32>((_e660 & bitcast<u32>(_e665)));
-                                            let _e669 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e633));
-                                            let _e674 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e677 = bitcast<f32>((_e669 & bitcast<u32>(_e674)));
-                                            let _e678 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e635));
-                                            let _e683 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e686 = bitcast<f32>((_e678 & bitcast<u32>(_e683)));
-                                            let _e690 = bitcast<f32>((_e660 & bitcast<u32>(~(_e665))));
-                                            let _e694 = bitcast<f32>((_e669 & bitcast<u32>(~(_e674))));
-                                            let _e698 = bitcast<f32>((_e678 & bitcast<u32>(~(_e683))));
-                                            let _e699 = bitcast<u32>((f32(bitcast<i32>((_e574 & 2097151u))) * _e631));
-                                            let _e704 = (bitcast<i32>((_e574 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e707 = bitcast<f32>((_e699 & bitcast<u32>(_e704)));
-                                            let _e708 = bitcast<u32>((f32(bitcast<i32>((_e589 & 2097151u))) * _e633));
-                                            let _e713 = (bitcast<i32>((_e589 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e716 = bitcast<f32>((_e708 & bitcast<u32>(_e713)));
-                                            let _e717 = bitcast<u32>((f32(bitcast<i32>((_e604 & 2097151u))) * _e635));
-                                            let _e722 = (bitcast<i32>((_e604 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e725 = bitcast<f32>((_e717 & bitcast<u32>(_e722)));
-                                            let _e729 = bitcast<f32>((_e699 & bitcast<u32>(~(_e704))));
-                                            let _e733 = bitcast<f32>((_e708 & bitcast<u32>(~(_e713))));
-                                            let _e737 = bitcast<f32>((_e717 & bitcast<u32>(~(_e722))));
-                                            let _e738 = (_e544.member.member.x + _e668);
-                                            let _e739 = (_e544.member.member.y + _e677);
-                                            let _e740 = (_e544.member.member.z + _e686);
-                                            let _e743 = (_e544.member.member_1.x - _e707);
-                                            let _e744 = (_e544.member.member_1.y - _e716);
-                                            let _e745 = (_e544.member.member_1.z - _e725);
-                                            let _e764 = (_e743 - _e738);
-                                            let _e765 = (_e744 - _e739);
-                                            let _e766 = (_e745 - _e740);
-                                            let _e768 = select(_e765, _e764, (_e764 > _e765));
-                                            let _e770 = select(_e766, _e768, (_e768 > _e766));
-                                            if (_e770 < (1024f * _e141)) {
-                                                phi_3069_ = 0u;
+                                            let _e765 = global_4.member[_e705.member_1][_e760];
+                                            let _e788 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.x - _e705.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e789 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.y - _e705.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e790 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.z - _e705.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e792 = select(_e147, _e788, (_e788 > _e147));
+                                            let _e794 = select(_e147, _e789, (_e789 > _e147));
+                                            let _e796 = select(_e147, _e790, (_e790 > _e147));
+                                            let _e827 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e728 & 2097151u))) - 8388608f) * _e792));
+                                            let _e832 = (bitcast<i32>((_e728 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e835 = bitcast<f32>((_e827 & bitcast<u32>(_e832)));
+                                            let _e836 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e743 & 2097151u))) - 8388608f) * _e794));
+                                            let _e841 = (bitcast<i32>((_e743 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e844 = bitcast<f32>((_e836 & bitcast<u32>(_e841)));
+                                            let _e845 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e758 & 2097151u))) - 8388608f) * _e796));
+                                            let _e850 = (bitcast<i32>((_e758 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e853 = bitcast<f32>((_e845 & bitcast<u32>(_e850)));
+                                            let _e857 = bitcast<f32>((_e827 & bitcast<u32>(~(_e832))));
+                                            let _e861 = bitcast<f32>((_e836 & bitcast<u32>(~(_e841))));
+                                            let _e865 = bitcast<f32>((_e845 & bitcast<u32>(~(_e850))));
+                                            let _e866 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e735 & 2097151u))) - 8388608f) * _e792));
+                                            let _e871 = (bitcast<i32>((_e735 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e874 = bitcast<f32>((_e866 & bitcast<u32>(_e871)));
+                                            let _e875 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e750 & 2097151u))) - 8388608f) * _e794));
+                                            let _e880 = (bitcast<i32>((_e750 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e883 = bitcast<f32>((_e875 & bitcast<u32>(_e880)));
+                                            let _e884 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e765 & 2097151u))) - 8388608f) * _e796));
+                                            let _e889 = (bitcast<i32>((_e765 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e892 = bitcast<f32>((_e884 & bitcast<u32>(_e889)));
+                                            let _e896 = bitcast<f32>((_e866 & bitcast<u32>(~(_e871))));
+                                            let _e900 = bitcast<f32>((_e875 & bitcast<u32>(~(_e880))));
+                                            let _e904 = bitcast<f32>((_e884 & bitcast<u32>(~(_e889))));
+                                            let _e905 = (_e705.member.member.x + _e835);
+                                            let _e906 = (_e705.member.member.y + _e844);
+                                            let _e907 = (_e705.member.member.z + _e853);
+                                            let _e910 = (_e705.member.member_1.x - _e874);
+                                            let _e911 = (_e705.member.member_1.y - _e883);
+                                            let _e912 = (_e705.member.member_1.z - _e892);
+                                            let _e931 = (_e910 - _e905);
+                                            let _e932 = (_e911 - _e906);
+                                            let _e933 = (_e912 - _e907);
+                                            let _e935 = select(_e932, _e931, (_e931 > _e932));
+                                            let _e937 = select(_e933, _e935, (_e935 > _e933));
+                                            if (_e937 < (1024f * _e147)) {
+                                                phi_3390_ = 0u;
                                             } else {
-                                                phi_3069_ = select(2u, 1u, (_e770 < (2097152f * _e141)));
+                                                phi_3390_ = select(2u, 1u, (_e937 < (2097152f * _e147)));
                                             }
-                                            let _e777 = phi_3069_;
-                                            switch bitcast<i32>(_e777) {
+                                            let _e944 = phi_3390_;
+                                            switch bitcast<i32>(_e944) {
                                                 case 0: {
-                                                    phi_3075_ = 1u;
+                                                    phi_3396_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3075_ = 2u;
+                                                    phi_3396_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3075_ = 3u;
+                                                    phi_3396_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3075_ = u32();
+                                                    phi_3396_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e780 = phi_3075_;
-                                            let _e786 = global_4.member[_e544.member_1][0u];
-                                            let _e790 = global_4.member[_e544.member_1][2u];
-                                            let _e794 = global_4.member[_e544.member_1][4u];
-                                            let _e798 = global_4.member[_e544.member_1][6u];
-                                            let _e810 = (((_e790 >> bitcast<u32>(22i)) | ((_e794 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e798 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e811 = (_e786 & 268435455u);
-                                            let _e812 = (_e810 & 268435455u);
-                                            let _e815 = ((_e786 >> bitcast<u32>(28u)) & 7u);
-                                            let _e823 = ((_e786 >> bitcast<u32>(31i)) | (((_e810 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e824 = (_e815 != 0u);
-                                            if (_e815 == 0u) {
-                                                phi_3330_ = _e811;
+                                            let _e947 = phi_3396_;
+                                            let _e953 = global_4.member[_e705.member_1][0u];
+                                            let _e957 = global_4.member[_e705.member_1][2u];
+                                            let _e961 = global_4.member[_e705.member_1][4u];
+                                            let _e965 = global_4.member[_e705.member_1][6u];
+                                            let _e977 = (((_e957 >> bitcast<u32>(22i)) | ((_e961 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e965 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e978 = (_e953 & 268435455u);
+                                            let _e979 = (_e977 & 268435455u);
+                                            let _e982 = ((_e953 >> bitcast<u32>(28u)) & 7u);
+                                            let _e990 = ((_e953 >> bitcast<u32>(31i)) | (((_e977 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e991 = (_e982 != 0u);
+                                            if (_e982 == 0u) {
+                                                phi_3651_ = _e978;
                                             } else {
-                                                if (_e815 == 7u) {
-                                                    phi_3329_ = 2147483648u;
+                                                if (_e982 == 7u) {
+                                                    phi_3650_ = 2147483648u;
                                                 } else {
-                                                    phi_3329_ = ((2147483648u | (_e815 << bitcast<u32>(28u))) | (_e812 & 268435455u));
+                                                    phi_3650_ = ((2147483648u | (_e982 << bitcast<u32>(28u))) | (_e979 & 268435455u));
                                                 }
-                                                let _e833 = phi_3329_;
-                                                phi_3330_ = _e833;
+                                                let _e1000 = phi_3650_;
+                                                phi_3651_ = _e1000;
                                             }
-                                            let _e835 = phi_3330_;
-                                            if _e824 {
-                                                let _e836 = (_e815 != 7u);
-                                                if _e836 {
-                                                    phi_3340_ = (_e812 + (_e815 * ((3u * _e780) + 1u)));
+                                            let _e1002 = phi_3651_;
+                                            if _e991 {
+                                                let _e1003 = (_e982 != 7u);
+                                                if _e1003 {
+                                                    phi_3661_ = (_e979 + (_e982 * ((3u * _e947) + 1u)));
                                                 } else {
-                                                    phi_3340_ = u32();
+                                                    phi_3661_ = u32();
                                                 }
-                                                let _e840 = phi_3340_;
-                                                phi_3342_ = _e840;
-                                                phi_3343_ = select(true, false, _e836);
+                                                let _e1007 = phi_3661_;
+                                                phi_3663_ = _e1007;
+                                                phi_3664_ = select(true, false, _e1003);
                                             } else {
-                                                phi_3342_ = u32();
-                                                phi_3343_ = true;
+                                                phi_3663_ = u32();
+                                                phi_3664_ = true;
                                             }
-                                            let _e843 = phi_3342_;
-                                            let _e845 = phi_3343_;
-                                            if (_e823 == 0u) {
-                                                phi_3364_ = (_e811 + select(0u, 1u, !(_e824)));
+                                            let _e1010 = phi_3663_;
+                                            let _e1012 = phi_3664_;
+                                            if (_e990 == 0u) {
+                                                phi_3685_ = (_e978 + select(0u, 1u, !(_e991)));
                                             } else {
-                                                if (_e823 == 7u) {
-                                                    phi_3363_ = 2147483648u;
+                                                if (_e990 == 7u) {
+                                                    phi_3684_ = 2147483648u;
                                                 } else {
-                                                    phi_3363_ = ((2147483648u | (_e823 << bitcast<u32>(28u))) | (select(_e843, _e812, _e845) & 268435455u));
+                                                    phi_3684_ = ((2147483648u | (_e990 << bitcast<u32>(28u))) | (select(_e1010, _e979, _e1012) & 268435455u));
                                                 }
-                                                let _e858 = phi_3363_;
-                                                phi_3364_ = _e858;
+                                                let _e1025 = phi_3684_;
+                                                phi_3685_ = _e1025;
                                             }
-                                            let _e860 = phi_3364_;
-                                            phi_3368_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e738, (_e544.member.member.x + _e690), _e743, (_e544.member.member_1.x - _e729)), vec4<f32>(_e739, (_e544.member.member.y + _e694), _e744, (_e544.member.member_1.y - _e733)), vec4<f32>(_e740, (_e544.member.member.z + _e698), _e745, (_e544.member.member_1.z - _e737))), type_49(type_28((_e544.member.member + vec4<f32>(_e668, _e677, _e686, 0f)), (_e544.member.member_1 - vec4<f32>(_e707, _e716, _e725, 0f))), _e835), type_49(type_28((_e544.member.member + vec4<f32>(_e690, _e694, _e698, 0f)), (_e544.member.member_1 - vec4<f32>(_e729, _e733, _e737, 0f))), _e860));
+                                            let _e1027 = phi_3685_;
+                                            phi_3689_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e905, (_e705.member.member.x + _e857), _e910, (_e705.member.member_1.x - _e896)), vec4<f32>(_e906, (_e705.member.member.y + _e861), _e911, (_e705.member.member_1.y - _e900)), vec4<f32>(_e907, (_e705.member.member.z + _e865), _e912, (_e705.member.member_1.z - _e904))), type_49(type_28((_e705.member.member + vec4<f32>(_e835, _e844, _e853, 0f)), (_e705.member.member_1 - vec4<f32>(_e874, _e883, _e892, 0f))), _e1002), type_49(type_28((_e705.member.member + vec4<f32>(_e857, _e861, _e865, 0f)), (_e705.member.member_1 - vec4<f32>(_e896, _e900, _e904, 0f))), _e1027));
                                         }
-                                        let _e865 = phi_3368_;
-                                        let _e877 = ((_e865.member[0].x - _e333) * _e338);
-                                        let _e878 = ((_e865.member[0].y - _e333) * _e338);
-                                        let _e879 = ((_e865.member[0].z - _e334) * _e338);
-                                        let _e880 = ((_e865.member[0].w - _e334) * _e338);
-                                        let _e890 = ((_e865.member[1].x - _e371) * _e376);
-                                        let _e891 = ((_e865.member[1].y - _e371) * _e376);
-                                        let _e892 = ((_e865.member[1].z - _e372) * _e376);
-                                        let _e893 = ((_e865.member[1].w - _e372) * _e376);
-                                        let _e903 = ((_e865.member[2].x - _e409) * _e414);
-                                        let _e904 = ((_e865.member[2].y - _e409) * _e414);
-                                        let _e905 = ((_e865.member[2].z - _e410) * _e414);
-                                        let _e906 = ((_e865.member[2].w - _e410) * _e414);
-                                        let _e908 = select(_e905, _e903, (_e903 < _e905));
-                                        let _e910 = select(_e906, _e904, (_e904 < _e906));
-                                        let _e912 = select(_e905, _e903, (_e903 > _e905));
-                                        let _e914 = select(_e906, _e904, (_e904 > _e906));
-                                        let _e916 = select(_e879, _e877, (_e877 < _e879));
-                                        let _e918 = select(_e880, _e878, (_e878 < _e880));
-                                        let _e920 = select(_e892, _e890, (_e890 < _e892));
-                                        let _e922 = select(_e893, _e891, (_e891 < _e893));
-                                        let _e924 = select(_e920, _e916, (_e916 > _e920));
-                                        let _e926 = select(_e922, _e918, (_e918 > _e922));
-                                        let _e928 = select(_e908, _e924, (_e924 > _e908));
-                                        let _e930 = select(_e910, _e926, (_e926 > _e910));
-                                        let _e932 = select(_e879, _e877, (_e877 > _e879));
-                                        let _e934 = select(_e880, _e878, (_e878 > _e880));
-                                        let _e936 = select(_e892, _e890, (_e890 > _e892));
-                                        let _e938 = select(_e893, _e891, (_e891 > _e893));
-                                        let _e940 = select(_e936, _e932, (_e932 < _e936));
-                                        let _e942 = select(_e938, _e934, (_e934 < _e938));
-                                        let _e947 = -(_e908);
-                                        let _e948 = -(_e910);
-                                        let _e955 = (select(_e912, _e940, (_e940 < _e912)) + (select(_e947, _e912, (_e912 > _e947)) * 0.0000019073523f));
-                                        let _e956 = (select(_e914, _e942, (_e942 < _e914)) + (select(_e948, _e914, (_e914 > _e948)) * 0.0000019073523f));
-                                        let _e958 = select(_e461, _e928, (_e928 > _e461));
-                                        let _e960 = select(_e461, _e930, (_e930 > _e461));
-                                        let _e965 = (_e958 <= select(_e505.member_1, _e955, (_e955 < _e505.member_1)));
-                                        let _e966 = (_e960 <= select(_e505.member_1, _e956, (_e956 < _e505.member_1)));
-                                        let _e967 = (_e958 <= _e960);
-                                        if _e965 {
-                                            if _e966 {
-                                                if _e967 {
-                                                    phi_3712_ = _e865.member_2;
+                                        let _e1032 = phi_3689_;
+                                        let _e1044 = ((_e1032.member[0].x - _e369) * _e374);
+                                        let _e1045 = ((_e1032.member[0].y - _e369) * _e374);
+                                        let _e1046 = ((_e1032.member[0].z - _e370) * _e374);
+                                        let _e1047 = ((_e1032.member[0].w - _e370) * _e374);
+                                        let _e1057 = ((_e1032.member[1].x - _e437) * _e442);
+                                        let _e1058 = ((_e1032.member[1].y - _e437) * _e442);
+                                        let _e1059 = ((_e1032.member[1].z - _e438) * _e442);
+                                        let _e1060 = ((_e1032.member[1].w - _e438) * _e442);
+                                        let _e1070 = ((_e1032.member[2].x - _e505) * _e510);
+                                        let _e1071 = ((_e1032.member[2].y - _e505) * _e510);
+                                        let _e1072 = ((_e1032.member[2].z - _e506) * _e510);
+                                        let _e1073 = ((_e1032.member[2].w - _e506) * _e510);
+                                        let _e1075 = select(_e1072, _e1070, (_e1070 < _e1072));
+                                        let _e1077 = select(_e1073, _e1071, (_e1071 < _e1073));
+                                        let _e1079 = select(_e1072, _e1070, (_e1070 > _e1072));
+                                        let _e1081 = select(_e1073, _e1071, (_e1071 > _e1073));
+                                        let _e1083 = select(_e1046, _e1044, (_e1044 < _e1046));
+                                        let _e1085 = select(_e1047, _e1045, (_e1045 < _e1047));
+                                        let _e1087 = select(_e1059, _e1057, (_e1057 < _e1059));
+                                        let _e1089 = select(_e1060, _e1058, (_e1058 < _e1060));
+                                        let _e1091 = select(_e1087, _e1083, (_e1083 > _e1087));
+                                        let _e1093 = select(_e1089, _e1085, (_e1085 > _e1089));
+                                        let _e1095 = select(_e1075, _e1091, (_e1091 > _e1075));
+                                        let _e1097 = select(_e1077, _e1093, (_e1093 > _e1077));
+                                        let _e1099 = select(_e1046, _e1044, (_e1044 > _e1046));
+                                        let _e1101 = select(_e1047, _e1045, (_e1045 > _e1047));
+                                        let _e1103 = select(_e1059, _e1057, (_e1057 > _e1059));
+                                        let _e1105 = select(_e1060, _e1058, (_e1058 > _e1060));
+                                        let _e1107 = select(_e1103, _e1099, (_e1099 < _e1103));
+                                        let _e1109 = select(_e1105, _e1101, (_e1101 < _e1105));
+                                        let _e1114 = -(_e1075);
+                                        let _e1115 = -(_e1077);
+                                        let _e1122 = (select(_e1079, _e1107, (_e1107 < _e1079)) + (select(_e1114, _e1079, (_e1079 > _e1114)) * 0.0000019073523f));
+                                        let _e1123 = (select(_e1081, _e1109, (_e1109 < _e1081)) + (select(_e1115, _e1081, (_e1081 > _e1115)) * 0.0000019073523f));
+                                        let _e1125 = select(_e622, _e1095, (_e1095 > _e622));
+                                        let _e1127 = select(_e622, _e1097, (_e1097 > _e622));
+                                        let _e1132 = (_e1125 <= select(_e666.member_1, _e1122, (_e1122 < _e666.member_1)));
+                                        let _e1133 = (_e1127 <= select(_e666.member_1, _e1123, (_e1123 < _e666.member_1)));
+                                        let _e1134 = (_e1125 <= _e1127);
+                                        if _e1132 {
+                                            if _e1133 {
+                                                if _e1134 {
+                                                    phi_4033_ = _e1032.member_2;
                                                 } else {
-                                                    phi_3712_ = _e865.member_1;
+                                                    phi_4033_ = _e1032.member_1;
                                                 }
-                                                let _e971 = phi_3712_;
-                                                let _e993 = (_e548 % 128u);
-                                                let _e994 = (_e993 < 128u);
-                                                if _e994 {
+                                                let _e1138 = phi_4033_;
+                                                let _e1160 = (_e709 % 128u);
+                                                let _e1161 = (_e1160 < 128u);
+                                                if _e1161 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_8[_e993] = _e971.member_1;
-                                                if _e994 {
+                                                local_8[_e1160] = _e1138.member_1;
+                                                if _e1161 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_7[_e993] = _e971.member.member.x;
-                                                if _e994 {
+                                                local_7[_e1160] = _e1138.member.member.x;
+                                                if _e1161 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_6[_e993] = _e971.member.member.y;
-                                                if _e994 {
+                                                local_6[_e1160] = _e1138.member.member.y;
+                                                if _e1161 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_5[_e993] = _e971.member.member.z;
-                                                if _e994 {
+                                                local_5[_e1160] = _e1138.member.member.z;
+                                                if _e1161 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_4[_e993] = _e971.member.member_1.x;
-                                                if _e994 {
+                                                local_4[_e1160] = _e1138.member.member_1.x;
+                                                if _e1161 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_3[_e993] = _e971.member.member_1.y;
-                                                if _e994 {
+                                                local_3[_e1160] = _e1138.member.member_1.y;
+                                                if _e1161 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_2[_e993] = _e971.member.member_1.z;
-                                                if _e994 {
+                                                local_2[_e1160] = _e1138.member.member_1.z;
+                                                if _e1161 {
                                                 } else {
-                                                    phi_4265_ = true;
+                                                    phi_4710_ = true;
                                                     break;
                                                 }
-                                                local_9[_e993] = select(_e960, _e958, (_e958 > _e960));
-                                                if _e967 {
-                                                    phi_3789_ = _e865.member_1;
+                                                local_9[_e1160] = select(_e1127, _e1125, (_e1125 > _e1127));
+                                                if _e1134 {
+                                                    phi_4110_ = _e1032.member_1;
                                                 } else {
-                                                    phi_3789_ = _e865.member_2;
+                                                    phi_4110_ = _e1032.member_2;
                                                 }
-                                                let _e1007 = phi_3789_;
-                                                phi_3790_ = _e1007;
-                                                phi_3791_ = (_e548 + 1u);
+                                                let _e1174 = phi_4110_;
+                                                phi_4111_ = _e1174;
+                                                phi_4112_ = (_e709 + 1u);
                                             } else {
-                                                phi_3790_ = type_49();
-                                                phi_3791_ = u32();
+                                                phi_4111_ = type_49();
+                                                phi_4112_ = u32();
                                             }
-                                            let _e1009 = phi_3790_;
-                                            let _e1011 = phi_3791_;
-                                            phi_3793_ = _e1009;
-                                            phi_3794_ = _e1011;
-                                            phi_3795_ = select(true, false, _e966);
+                                            let _e1176 = phi_4111_;
+                                            let _e1178 = phi_4112_;
+                                            phi_4114_ = _e1176;
+                                            phi_4115_ = _e1178;
+                                            phi_4116_ = select(true, false, _e1133);
                                         } else {
-                                            phi_3793_ = type_49();
-                                            phi_3794_ = u32();
-                                            phi_3795_ = true;
+                                            phi_4114_ = type_49();
+                                            phi_4115_ = u32();
+                                            phi_4116_ = true;
                                         }
-                                        let _e1014 = phi_3793_;
-                                        let _e1016 = phi_3794_;
-                                        let _e1018 = phi_3795_;
-                                        if _e1018 {
-                                            if _e965 {
-                                                phi_3804_ = _e865.member_1;
+                                        let _e1181 = phi_4114_;
+                                        let _e1183 = phi_4115_;
+                                        let _e1185 = phi_4116_;
+                                        if _e1185 {
+                                            if _e1132 {
+                                                phi_4125_ = _e1032.member_1;
                                             } else {
-                                                phi_3804_ = _e865.member_2;
+                                                phi_4125_ = _e1032.member_2;
                                             }
-                                            let _e1022 = phi_3804_;
-                                            phi_3809_ = _e1022;
-                                            phi_3810_ = select(_e966, true, _e965);
+                                            let _e1189 = phi_4125_;
+                                            phi_4130_ = _e1189;
+                                            phi_4131_ = select(_e1133, true, _e1132);
                                         } else {
-                                            phi_3809_ = _e1014;
-                                            phi_3810_ = _e546;
+                                            phi_4130_ = _e1181;
+                                            phi_4131_ = _e707;
                                         }
-                                        let _e1025 = phi_3809_;
-                                        let _e1027 = phi_3810_;
-                                        phi_4269_ = _e503;
-                                        phi_3812_ = _e505;
-                                        phi_3813_ = _e1025;
-                                        phi_3814_ = _e1027;
-                                        phi_3815_ = select(_e1016, _e548, _e1018);
+                                        let _e1192 = phi_4130_;
+                                        let _e1194 = phi_4131_;
+                                        phi_4714_ = _e664;
+                                        phi_4133_ = _e666;
+                                        phi_4134_ = _e1192;
+                                        phi_4135_ = _e1194;
+                                        phi_4136_ = select(_e1183, _e709, _e1185);
                                     }
-                                    let _e1952 = phi_4269_;
-                                    let _e1954 = phi_3812_;
-                                    let _e1956 = phi_3813_;
-                                    let _e1958 = phi_3814_;
-                                    let _e1960 = phi_3815_;
-                                    phi_4268_ = _e1952;
-                                    phi_3816_ = _e1954;
-                                    phi_3817_ = _e1956;
-                                    phi_3818_ = (_e509 - 1u);
-                                    phi_3819_ = _e1958;
-                                    phi_3820_ = _e1960;
+                                    let _e2137 = phi_4714_;
+                                    let _e2139 = phi_4133_;
+                                    let _e2141 = phi_4134_;
+                                    let _e2143 = phi_4135_;
+                                    let _e2145 = phi_4136_;
+                                    phi_4713_ = _e2137;
+                                    phi_4137_ = _e2139;
+                                    phi_4138_ = _e2141;
+                                    phi_4139_ = (_e670 - 1u);
+                                    phi_4140_ = _e2143;
+                                    phi_4141_ = _e2145;
                                 } else {
-                                    phi_4268_ = _e503;
-                                    phi_3816_ = _e505;
-                                    phi_3817_ = _e544;
-                                    phi_3818_ = _e509;
-                                    phi_3819_ = _e546;
-                                    phi_3820_ = _e548;
+                                    phi_4713_ = _e664;
+                                    phi_4137_ = _e666;
+                                    phi_4138_ = _e705;
+                                    phi_4139_ = _e670;
+                                    phi_4140_ = _e707;
+                                    phi_4141_ = _e709;
                                 }
-                                let _e1962 = phi_4268_;
-                                let _e1964 = phi_3816_;
-                                let _e1966 = phi_3817_;
-                                let _e1968 = phi_3818_;
-                                let _e1970 = phi_3819_;
-                                let _e1972 = phi_3820_;
-                                phi_4267_ = _e1962;
-                                phi_3821_ = _e1964;
-                                phi_3822_ = _e1966;
-                                phi_3823_ = _e1968;
-                                phi_3824_ = _e1970;
-                                phi_3825_ = _e1972;
+                                let _e2147 = phi_4713_;
+                                let _e2149 = phi_4137_;
+                                let _e2151 = phi_4138_;
+                                let _e2153 = phi_4139_;
+                                let _e2155 = phi_4140_;
+                                let _e2157 = phi_4141_;
+                                phi_4712_ = _e2147;
+                                phi_4142_ = _e2149;
+                                phi_4143_ = _e2151;
+                                phi_4144_ = _e2153;
+                                phi_4145_ = _e2155;
+                                phi_4146_ = _e2157;
                             } else {
-                                phi_4267_ = _e503;
-                                phi_3821_ = type_32();
-                                phi_3822_ = type_49();
-                                phi_3823_ = u32();
-                                phi_3824_ = bool();
-                                phi_3825_ = u32();
+                                phi_4712_ = _e664;
+                                phi_4142_ = type_32();
+                                phi_4143_ = type_49();
+                                phi_4144_ = u32();
+                                phi_4145_ = bool();
+                                phi_4146_ = u32();
                             }
-                            let _e1974 = phi_4267_;
-                            let _e1976 = phi_3821_;
-                            let _e1978 = phi_3822_;
-                            let _e1980 = phi_3823_;
-                            let _e1982 = phi_3824_;
-                            let _e1984 = phi_3825_;
-                            phi_4266_ = _e1974;
-                            phi_853_ = _e1976;
-                            phi_856_ = _e1978;
-                            phi_858_ = _e1980;
-                            phi_860_ = _e1982;
-                            phi_862_ = _e1984;
-                            phi_3826_ = _e517;
+                            let _e2159 = phi_4712_;
+                            let _e2161 = phi_4142_;
+                            let _e2163 = phi_4143_;
+                            let _e2165 = phi_4144_;
+                            let _e2167 = phi_4145_;
+                            let _e2169 = phi_4146_;
+                            phi_4711_ = _e2159;
+                            phi_1156_ = _e2161;
+                            phi_1159_ = _e2163;
+                            phi_1161_ = _e2165;
+                            phi_1163_ = _e2167;
+                            phi_1165_ = _e2169;
+                            phi_4147_ = _e678;
                         } else {
-                            phi_4266_ = _e503;
-                            phi_853_ = type_32();
-                            phi_856_ = type_49();
-                            phi_858_ = u32();
-                            phi_860_ = bool();
-                            phi_862_ = u32();
-                            phi_3826_ = false;
+                            phi_4711_ = _e664;
+                            phi_1156_ = type_32();
+                            phi_1159_ = type_49();
+                            phi_1161_ = u32();
+                            phi_1163_ = bool();
+                            phi_1165_ = u32();
+                            phi_4147_ = false;
                         }
-                        let _e1986 = phi_4266_;
-                        let _e1988 = phi_853_;
-                        let _e1990 = phi_856_;
-                        let _e1992 = phi_858_;
-                        let _e1994 = phi_860_;
-                        let _e1996 = phi_862_;
-                        let _e1998 = phi_3826_;
+                        let _e2171 = phi_4711_;
+                        let _e2173 = phi_1156_;
+                        let _e2175 = phi_1159_;
+                        let _e2177 = phi_1161_;
+                        let _e2179 = phi_1163_;
+                        let _e2181 = phi_1165_;
+                        let _e2183 = phi_4147_;
                         continue;
                         continuing {
-                            phi_4082_ = _e1986;
-                            phi_852_ = _e1988;
-                            phi_855_ = _e1990;
-                            phi_857_ = _e1992;
-                            phi_859_ = _e1994;
-                            phi_861_ = _e1996;
-                            phi_4265_ = _e1986;
-                            break if !(_e1998);
+                            phi_4509_ = _e2171;
+                            phi_1155_ = _e2173;
+                            phi_1158_ = _e2175;
+                            phi_1160_ = _e2177;
+                            phi_1162_ = _e2179;
+                            phi_1164_ = _e2181;
+                            phi_4710_ = _e2171;
+                            break if !(_e2183);
                         }
                     }
-                    let _e2001 = phi_4265_;
-                    if _e2001 {
+                    let _e2186 = phi_4710_;
+                    if _e2186 {
                         break;
                     }
-                    let _e2003 = local_10;
-                    if (_e2003.member.member_3 != 4294967295u) {
-                        let _e2008 = -(_e428);
-                        let _e2009 = (_e2008 / 3i);
-                        let _e2016 = bitcast<f32>((bitcast<u32>((_e2009 + 127i)) << bitcast<u32>(23i)));
-                        let _e2024 = (((_e2003.member.member * _e2016) * _e2016) * bitcast<f32>((bitcast<u32>(((_e2008 - (2i * _e2009)) + 127i)) << bitcast<u32>(23i))));
-                        let _e2026 = select(340282350000000000000000000000000000000f, _e2024, (_e2024 < 340282350000000000000000000000000000000f));
-                        phi_3878_ = type_20(select(-340282350000000000000000000000000000000f, _e2026, (_e2026 > -340282350000000000000000000000000000000f)), _e2003.member.member_1, _e2003.member.member_2, _e2003.member.member_3);
+                    let _e2188 = local_10;
+                    if (_e2188.member.member_3 != 4294967295u) {
+                        let _e2193 = -(_e524);
+                        let _e2194 = bitcast<u32>(_e2188.member.member);
+                        let _e2198 = (bitcast<i32>((_e2194 >> bitcast<u32>(23i))) & 255i);
+                        let _e2199 = (_e2198 + _e2193);
+                        if (_e2198 == 255i) {
+                            phi_4206_ = _e2188.member.member;
+                        } else {
+                            if (_e2198 > 0i) {
+                                if (_e2199 > 0i) {
+                                    let _e2203 = (_e2199 < 255i);
+                                    if _e2203 {
+                                        phi_4185_ = bitcast<f32>((_e2194 + bitcast<u32>((_e2193 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_4185_ = f32();
+                                    }
+                                    let _e2210 = phi_4185_;
+                                    phi_4187_ = _e2210;
+                                    phi_4188_ = select(true, false, _e2203);
+                                } else {
+                                    phi_4187_ = f32();
+                                    phi_4188_ = true;
+                                }
+                                let _e2213 = phi_4187_;
+                                let _e2215 = phi_4188_;
+                                phi_4189_ = _e2213;
+                                phi_4190_ = _e2215;
+                            } else {
+                                phi_4189_ = f32();
+                                phi_4190_ = true;
+                            }
+                            let _e2217 = phi_4189_;
+                            let _e2219 = phi_4190_;
+                            if _e2219 {
+                                let _e2220 = (_e2194 & 2147483648u);
+                                let _e2227 = ((_e2194 & 8388607u) | (select(0u, 1u, ((_e2194 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2231 = (_e2227 == 0u);
+                                if _e2231 {
+                                    phi_4461_ = bitcast<f32>(_e2220);
+                                } else {
+                                    let _e2236 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2227)), 32u, _e2231) - 8u);
+                                    let _e2239 = (_e2227 << bitcast<u32>((_e2236 & 31u)));
+                                    let _e2241 = ((_e2199 + select(0i, 1i, (_e2198 == 0i))) - bitcast<i32>(_e2236));
+                                    if (_e2241 >= 255i) {
+                                        phi_4451_ = bitcast<f32>((_e2220 | 2139095040u));
+                                        phi_4452_ = f32();
+                                        phi_4453_ = true;
+                                    } else {
+                                        let _e2243 = (_e2241 > 0i);
+                                        if _e2243 {
+                                            phi_4445_ = bitcast<f32>(((_e2220 | (bitcast<u32>(_e2241) << bitcast<u32>(23i))) | (_e2239 & 8388607u)));
+                                            phi_4446_ = f32();
+                                        } else {
+                                            if (_e2241 < -24i) {
+                                                phi_4411_ = 26u;
+                                            } else {
+                                                phi_4411_ = bitcast<u32>((1i - _e2241));
+                                            }
+                                            let _e2248 = phi_4411_;
+                                            let _e2249 = (_e2248 & 31u);
+                                            let _e2251 = (_e2239 >> bitcast<u32>(_e2249));
+                                            let _e2255 = (_e2239 & ((1u << bitcast<u32>(_e2249)) - 1u));
+                                            let _e2259 = (1u << bitcast<u32>(((_e2248 - 1u) & 31u)));
+                                            if (_e2255 > _e2259) {
+                                                phi_4432_ = true;
+                                            } else {
+                                                if (_e2255 == _e2259) {
+                                                    phi_4429_ = ((_e2251 & 1u) == 1u);
+                                                } else {
+                                                    phi_4429_ = false;
+                                                }
+                                                let _e2265 = phi_4429_;
+                                                phi_4432_ = _e2265;
+                                            }
+                                            let _e2267 = phi_4432_;
+                                            phi_4445_ = f32();
+                                            phi_4446_ = bitcast<f32>((_e2220 | (_e2251 + select(0u, 1u, _e2267))));
+                                        }
+                                        let _e2280 = phi_4445_;
+                                        let _e2282 = phi_4446_;
+                                        phi_4451_ = _e2280;
+                                        phi_4452_ = _e2282;
+                                        phi_4453_ = _e2243;
+                                    }
+                                    let _e2286 = phi_4451_;
+                                    let _e2288 = phi_4452_;
+                                    let _e2290 = phi_4453_;
+                                    phi_4461_ = select(_e2288, _e2286, _e2290);
+                                }
+                                let _e2294 = phi_4461_;
+                                phi_4205_ = _e2294;
+                            } else {
+                                phi_4205_ = _e2217;
+                            }
+                            let _e2296 = phi_4205_;
+                            phi_4206_ = _e2296;
+                        }
+                        let _e2298 = phi_4206_;
+                        let _e2299 = bitcast<u32>(_e2298);
+                        if ((_e2299 & 2147483647u) >= 2139095040u) {
+                            phi_4218_ = bitcast<f32>(((_e2299 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_4218_ = _e2298;
+                        }
+                        let _e2306 = phi_4218_;
+                        phi_4223_ = type_20(_e2306, _e2188.member.member_1, _e2188.member.member_2, _e2188.member.member_3);
                     } else {
-                        phi_3878_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4223_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2033 = phi_3878_;
-                    if _e149 {
+                    let _e2311 = phi_4223_;
+                    if _e155 {
                     } else {
                         break;
                     }
-                    global_6.member[_e147] = _e2033;
+                    global_6.member[_e153] = _e2311;
                 }
             }
             break;

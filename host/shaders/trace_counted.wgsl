@@ -82,1122 +82,1182 @@ var<storage, read_write> global_5: type_21;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_275_: i32;
-    var phi_276_: i32;
-    var phi_286_: bool;
-    var phi_296_: u32;
-    var phi_297_: u32;
-    var phi_299_: bool;
-    var phi_304_: u32;
-    var phi_316_: i32;
-    var phi_336_: i32;
-    var phi_354_: f32;
-    var phi_360_: f32;
-    var phi_371_: f32;
-    var phi_377_: f32;
-    var phi_400_: f32;
-    var phi_411_: f32;
-    var phi_420_: f32;
-    var phi_426_: f32;
-    var phi_437_: f32;
-    var phi_443_: f32;
-    var phi_466_: f32;
-    var phi_477_: f32;
+    var phi_277_: i32;
+    var phi_278_: i32;
+    var phi_288_: bool;
+    var phi_298_: u32;
+    var phi_299_: u32;
+    var phi_301_: bool;
+    var phi_306_: u32;
+    var phi_318_: i32;
+    var phi_338_: i32;
+    var phi_356_: f32;
+    var phi_362_: f32;
+    var phi_402_: f32;
+    var phi_408_: f32;
+    var phi_460_: f32;
+    var phi_471_: f32;
+    var phi_480_: f32;
     var phi_486_: f32;
-    var phi_492_: f32;
-    var phi_503_: f32;
-    var phi_509_: f32;
+    var phi_526_: f32;
     var phi_532_: f32;
-    var phi_543_: f32;
-    var phi_643_: f32;
-    var phi_644_: f32;
-    var phi_2246_: bool;
-    var phi_656_: type_48;
-    var phi_659_: u32;
-    var phi_661_: u32;
-    var phi_663_: bool;
-    var phi_665_: u32;
-    var phi_676_: bool;
-    var phi_708_: u32;
-    var phi_709_: bool;
-    var phi_710_: u32;
-    var phi_1802_: type_44;
-    var phi_2146_: u32;
-    var phi_2174_: u32;
-    var phi_2175_: u32;
-    var phi_2176_: u32;
-    var phi_2178_: u32;
-    var phi_2179_: u32;
-    var phi_2180_: bool;
-    var phi_2189_: u32;
-    var phi_2194_: u32;
-    var phi_2195_: bool;
-    var phi_725_: type_48;
-    var phi_728_: type_4;
-    var phi_729_: type_4;
-    var phi_751_: type_4;
-    var phi_775_: u32;
-    var phi_864_: array<array<f32, 3>, 3>;
-    var phi_981_: bool;
-    var phi_1010_: bool;
-    var phi_1411_: f32;
-    var phi_1412_: f32;
-    var phi_1413_: f32;
-    var phi_1414_: f32;
-    var phi_1415_: vec3<f32>;
-    var phi_1416_: vec3<f32>;
-    var phi_1417_: vec3<f32>;
-    var phi_1418_: vec3<f32>;
-    var phi_1449_: bool;
-    var phi_1458_: vec3<f32>;
-    var phi_1623_: f32;
-    var phi_1625_: f32;
-    var phi_1626_: bool;
-    var phi_1646_: f32;
-    var phi_1647_: f32;
-    var phi_1670_: type_27;
-    var phi_1672_: type_27;
-    var phi_1673_: bool;
-    var phi_1677_: type_27;
-    var phi_1678_: type_27;
-    var phi_1679_: type_27;
-    var phi_1680_: bool;
-    var phi_1684_: type_27;
-    var phi_1685_: bool;
-    var phi_1686_: type_27;
-    var phi_1687_: bool;
-    var phi_1688_: bool;
-    var phi_1689_: type_27;
-    var phi_1690_: bool;
-    var phi_1691_: bool;
-    var phi_1699_: type_27;
-    var phi_1700_: bool;
-    var phi_1704_: type_27;
-    var phi_1729_: bool;
-    var phi_1730_: bool;
-    var phi_1737_: type_48;
-    var phi_1738_: type_48;
-    var phi_1739_: type_48;
-    var phi_726_: type_48;
-    var phi_2240_: bool;
-    var phi_2386_: bool;
-    var phi_2197_: type_48;
-    var phi_2198_: u32;
-    var phi_2199_: bool;
-    var phi_2200_: u32;
-    var phi_2385_: bool;
-    var phi_2201_: type_48;
-    var phi_2202_: u32;
-    var phi_2203_: u32;
-    var phi_2204_: bool;
-    var phi_2205_: u32;
-    var phi_2384_: bool;
-    var phi_2206_: type_48;
-    var phi_2207_: u32;
-    var phi_2208_: u32;
-    var phi_2209_: bool;
-    var phi_2210_: u32;
-    var phi_2383_: bool;
-    var phi_657_: type_48;
-    var phi_660_: u32;
-    var phi_662_: u32;
-    var phi_664_: bool;
-    var phi_666_: u32;
-    var phi_2211_: bool;
-    var phi_2382_: bool;
+    var phi_584_: f32;
+    var phi_595_: f32;
+    var phi_604_: f32;
+    var phi_610_: f32;
+    var phi_650_: f32;
+    var phi_656_: f32;
+    var phi_708_: f32;
+    var phi_719_: f32;
+    var phi_774_: i32;
+    var phi_796_: u32;
+    var phi_797_: u32;
+    var phi_834_: i32;
+    var phi_856_: u32;
+    var phi_857_: u32;
+    var phi_865_: f32;
+    var phi_866_: f32;
+    var phi_2468_: bool;
+    var phi_878_: type_48;
+    var phi_881_: u32;
+    var phi_883_: u32;
+    var phi_885_: bool;
+    var phi_887_: u32;
+    var phi_898_: bool;
+    var phi_930_: u32;
+    var phi_931_: bool;
+    var phi_932_: u32;
+    var phi_2024_: type_44;
+    var phi_2368_: u32;
+    var phi_2396_: u32;
+    var phi_2397_: u32;
+    var phi_2398_: u32;
+    var phi_2400_: u32;
+    var phi_2401_: u32;
+    var phi_2402_: bool;
+    var phi_2411_: u32;
+    var phi_2416_: u32;
+    var phi_2417_: bool;
+    var phi_947_: type_48;
+    var phi_950_: type_4;
+    var phi_951_: type_4;
+    var phi_973_: type_4;
+    var phi_997_: u32;
+    var phi_1086_: array<array<f32, 3>, 3>;
+    var phi_1203_: bool;
+    var phi_1232_: bool;
+    var phi_1633_: f32;
+    var phi_1634_: f32;
+    var phi_1635_: f32;
+    var phi_1636_: f32;
+    var phi_1637_: vec3<f32>;
+    var phi_1638_: vec3<f32>;
+    var phi_1639_: vec3<f32>;
+    var phi_1640_: vec3<f32>;
+    var phi_1671_: bool;
+    var phi_1680_: vec3<f32>;
+    var phi_1845_: f32;
+    var phi_1847_: f32;
+    var phi_1848_: bool;
+    var phi_1868_: f32;
+    var phi_1869_: f32;
+    var phi_1892_: type_27;
+    var phi_1894_: type_27;
+    var phi_1895_: bool;
+    var phi_1899_: type_27;
+    var phi_1900_: type_27;
+    var phi_1901_: type_27;
+    var phi_1902_: bool;
+    var phi_1906_: type_27;
+    var phi_1907_: bool;
+    var phi_1908_: type_27;
+    var phi_1909_: bool;
+    var phi_1910_: bool;
+    var phi_1911_: type_27;
+    var phi_1912_: bool;
+    var phi_1913_: bool;
+    var phi_1921_: type_27;
+    var phi_1922_: bool;
+    var phi_1926_: type_27;
+    var phi_1951_: bool;
+    var phi_1952_: bool;
+    var phi_1959_: type_48;
+    var phi_1960_: type_48;
+    var phi_1961_: type_48;
+    var phi_948_: type_48;
+    var phi_2462_: bool;
+    var phi_2626_: bool;
+    var phi_2419_: type_48;
+    var phi_2420_: u32;
+    var phi_2421_: bool;
+    var phi_2422_: u32;
+    var phi_2625_: bool;
+    var phi_2423_: type_48;
+    var phi_2424_: u32;
+    var phi_2425_: u32;
+    var phi_2426_: bool;
+    var phi_2427_: u32;
+    var phi_2624_: bool;
+    var phi_2428_: type_48;
+    var phi_2429_: u32;
+    var phi_2430_: u32;
+    var phi_2431_: bool;
+    var phi_2432_: u32;
+    var phi_2623_: bool;
+    var phi_879_: type_48;
+    var phi_882_: u32;
+    var phi_884_: u32;
+    var phi_886_: bool;
+    var phi_888_: u32;
+    var phi_2433_: bool;
+    var phi_2622_: bool;
     var local_2: type_48;
     var local_3: type_48;
     var local_4: type_48;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e65 = global;
-            let _e67 = arrayLength((&global_2.member));
-            let _e69 = arrayLength((&global_3.member));
-            let _e77 = (_e65.x + (_e65.y * 2097152u));
-            let _e80 = global_1.member[0u];
-            let _e81 = bitcast<i32>(_e80);
-            let _e82 = (_e77 < arrayLength((&global_4.member)));
-            if _e82 {
-                let _e83 = (_e77 < arrayLength((&global_5.member)));
-                if _e83 {
-                    if _e82 {
+            let _e69 = global;
+            let _e71 = arrayLength((&global_2.member));
+            let _e73 = arrayLength((&global_3.member));
+            let _e81 = (_e69.x + (_e69.y * 2097152u));
+            let _e84 = global_1.member[0u];
+            let _e85 = bitcast<i32>(_e84);
+            let _e86 = (_e81 < arrayLength((&global_4.member)));
+            if _e86 {
+                let _e87 = (_e81 < arrayLength((&global_5.member)));
+                if _e87 {
+                    if _e86 {
                     } else {
                         break;
                     }
-                    let _e91 = global_4.member[_e77].member_2[0u];
-                    let _e93 = (bitcast<u32>(_e91) & 2147483647u);
-                    let _e98 = global_4.member[_e77].member_2[1u];
-                    let _e100 = (bitcast<u32>(_e98) & 2147483647u);
-                    let _e105 = global_4.member[_e77].member_2[2u];
-                    let _e107 = (bitcast<u32>(_e105) & 2147483647u);
-                    let _e112 = global_4.member[_e77].member[0u];
-                    let _e114 = (bitcast<u32>(_e112) & 2147483647u);
-                    let _e119 = global_4.member[_e77].member[1u];
-                    let _e121 = (bitcast<u32>(_e119) & 2147483647u);
-                    let _e126 = global_4.member[_e77].member[2u];
-                    let _e128 = (bitcast<u32>(_e126) & 2147483647u);
-                    let _e130 = select(_e100, _e93, (_e100 < _e93));
-                    let _e132 = select(_e107, _e130, (_e107 < _e130));
-                    let _e134 = select(_e114, _e132, (_e114 < _e132));
-                    let _e136 = select(_e121, _e134, (_e121 < _e134));
-                    let _e138 = select(_e128, _e136, (_e128 < _e136));
-                    let _e142 = global_4.member[_e77].member_1;
-                    let _e144 = (bitcast<u32>(_e142) & 2147483647u);
-                    let _e151 = global_4.member[_e77].member_3;
-                    let _e157 = (((select(_e144, _e138, (_e144 < _e138)) < 2139095040u) && ((bitcast<u32>(_e151) & 2147483647u) <= 2139095040u)) && (_e132 > 0u));
-                    if _e157 {
-                        let _e160 = (bitcast<u32>(bitcast<f32>(_e132)) & 2147483647u);
-                        if (_e160 >= 8388608u) {
-                            phi_275_ = (bitcast<i32>((_e160 >> bitcast<u32>(23i))) - 127i);
+                    let _e95 = global_4.member[_e81].member_2[0u];
+                    let _e97 = (bitcast<u32>(_e95) & 2147483647u);
+                    let _e102 = global_4.member[_e81].member_2[1u];
+                    let _e104 = (bitcast<u32>(_e102) & 2147483647u);
+                    let _e109 = global_4.member[_e81].member_2[2u];
+                    let _e111 = (bitcast<u32>(_e109) & 2147483647u);
+                    let _e116 = global_4.member[_e81].member[0u];
+                    let _e118 = (bitcast<u32>(_e116) & 2147483647u);
+                    let _e123 = global_4.member[_e81].member[1u];
+                    let _e125 = (bitcast<u32>(_e123) & 2147483647u);
+                    let _e130 = global_4.member[_e81].member[2u];
+                    let _e132 = (bitcast<u32>(_e130) & 2147483647u);
+                    let _e134 = select(_e104, _e97, (_e104 < _e97));
+                    let _e136 = select(_e111, _e134, (_e111 < _e134));
+                    let _e138 = select(_e118, _e136, (_e118 < _e136));
+                    let _e140 = select(_e125, _e138, (_e125 < _e138));
+                    let _e142 = select(_e132, _e140, (_e132 < _e140));
+                    let _e146 = global_4.member[_e81].member_1;
+                    let _e147 = bitcast<u32>(_e146);
+                    let _e148 = (_e147 & 2147483647u);
+                    let _e155 = global_4.member[_e81].member_3;
+                    let _e156 = bitcast<u32>(_e155);
+                    let _e157 = (_e156 & 2147483647u);
+                    let _e161 = (((select(_e148, _e142, (_e148 < _e142)) < 2139095040u) && (_e157 <= 2139095040u)) && (_e136 > 0u));
+                    if _e161 {
+                        let _e164 = (bitcast<u32>(bitcast<f32>(_e136)) & 2147483647u);
+                        if (_e164 >= 8388608u) {
+                            phi_277_ = (bitcast<i32>((_e164 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_275_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e160)), 32u, (_e160 == 0u))));
+                            phi_277_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e164)), 32u, (_e164 == 0u))));
                         }
-                        let _e174 = phi_275_;
-                        phi_276_ = _e174;
+                        let _e178 = phi_277_;
+                        phi_278_ = _e178;
                     } else {
-                        phi_276_ = 0i;
+                        phi_278_ = 0i;
                     }
-                    let _e176 = phi_276_;
-                    let _e177 = (_e93 == _e132);
-                    if _e177 {
-                        phi_286_ = true;
+                    let _e180 = phi_278_;
+                    let _e181 = (_e97 == _e136);
+                    if _e181 {
+                        phi_288_ = true;
                     } else {
-                        phi_286_ = (_e100 == _e132);
+                        phi_288_ = (_e104 == _e136);
                     }
-                    let _e180 = phi_286_;
-                    let _e181 = select(1u, 0u, _e177);
-                    if _e180 {
-                        let _e182 = (_e181 + 1u);
-                        phi_296_ = _e182;
-                        phi_297_ = _e182;
-                        phi_299_ = select(true, false, (_e182 == 2u));
+                    let _e184 = phi_288_;
+                    let _e185 = select(1u, 0u, _e181);
+                    if _e184 {
+                        let _e186 = (_e185 + 1u);
+                        phi_298_ = _e186;
+                        phi_299_ = _e186;
+                        phi_301_ = select(true, false, (_e186 == 2u));
                     } else {
-                        phi_296_ = u32();
-                        phi_297_ = 0u;
-                        phi_299_ = true;
+                        phi_298_ = u32();
+                        phi_299_ = 0u;
+                        phi_301_ = true;
                     }
-                    let _e186 = phi_296_;
-                    let _e188 = phi_297_;
-                    let _e190 = phi_299_;
-                    if _e190 {
-                        phi_304_ = (_e188 + 1u);
+                    let _e190 = phi_298_;
+                    let _e192 = phi_299_;
+                    let _e194 = phi_301_;
+                    if _e194 {
+                        phi_306_ = (_e192 + 1u);
                     } else {
-                        phi_304_ = 0u;
+                        phi_306_ = 0u;
                     }
-                    let _e194 = phi_304_;
-                    let _e195 = select(_e186, _e188, _e190);
-                    let _e196 = select(_e181, select(2u, _e181, _e180), _e190);
-                    if (_e81 < -126i) {
-                        phi_316_ = -126i;
+                    let _e198 = phi_306_;
+                    let _e199 = select(_e190, _e192, _e194);
+                    let _e200 = select(_e185, select(2u, _e185, _e184), _e194);
+                    if (_e85 < -126i) {
+                        phi_318_ = -126i;
                     } else {
-                        phi_316_ = select(_e81, 127i, (_e81 > 127i));
+                        phi_318_ = select(_e85, 127i, (_e85 > 127i));
                     }
-                    let _e201 = phi_316_;
-                    let _e206 = bitcast<f32>((bitcast<u32>((_e201 + 127i)) << bitcast<u32>(23i)));
-                    let _e212 = bitcast<f32>((bitcast<u32>(((_e81 - _e201) + 127i)) << bitcast<u32>(23i)));
-                    let _e213 = -(_e176);
-                    if (_e213 < -126i) {
-                        phi_336_ = -126i;
+                    let _e205 = phi_318_;
+                    let _e210 = bitcast<f32>((bitcast<u32>((_e205 + 127i)) << bitcast<u32>(23i)));
+                    let _e216 = bitcast<f32>((bitcast<u32>(((_e85 - _e205) + 127i)) << bitcast<u32>(23i)));
+                    let _e217 = -(_e180);
+                    if (_e217 < -126i) {
+                        phi_338_ = -126i;
                     } else {
-                        phi_336_ = select(_e213, 127i, (_e213 > 127i));
+                        phi_338_ = select(_e217, 127i, (_e217 > 127i));
                     }
-                    let _e218 = phi_336_;
-                    let _e223 = bitcast<f32>((bitcast<u32>((_e218 + 127i)) << bitcast<u32>(23i)));
-                    let _e229 = bitcast<f32>((bitcast<u32>(((_e213 - _e218) + 127i)) << bitcast<u32>(23i)));
-                    let _e233 = global_4.member[_e77].member;
-                    let _e234 = (_e195 == 0u);
-                    if _e234 {
-                        phi_354_ = _e233[0];
+                    let _e222 = phi_338_;
+                    let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
+                    let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
+                    let _e237 = global_4.member[_e81].member;
+                    let _e238 = (_e199 == 0u);
+                    if _e238 {
+                        phi_356_ = _e237[0];
                     } else {
-                        phi_354_ = _e233[1];
+                        phi_356_ = _e237[1];
                     }
-                    let _e238 = phi_354_;
-                    let _e239 = (_e195 == 2u);
-                    if _e239 {
-                        phi_360_ = _e233[2];
+                    let _e242 = phi_356_;
+                    let _e243 = (_e199 == 2u);
+                    if _e243 {
+                        phi_362_ = _e237[2];
                     } else {
-                        phi_360_ = _e238;
+                        phi_362_ = _e242;
                     }
-                    let _e242 = phi_360_;
-                    let _e244 = ((_e242 * _e206) * _e212);
-                    let _e245 = global_4.member[_e77].member_2;
-                    if _e234 {
-                        phi_371_ = _e245[0];
+                    let _e246 = phi_362_;
+                    let _e247 = bitcast<u32>(_e246);
+                    let _e249 = ((_e247 & 2139095040u) != 0u);
+                    let _e263 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e247 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e247 & 2147483648u))), _e246, _e249) * _e210) * select(0.00000011920929f, 1f, _e249)) * _e216);
+                    let _e264 = global_4.member[_e81].member_2;
+                    if _e238 {
+                        phi_402_ = _e264[0];
                     } else {
-                        phi_371_ = _e245[1];
+                        phi_402_ = _e264[1];
                     }
-                    let _e249 = phi_371_;
-                    if _e239 {
-                        phi_377_ = _e245[2];
+                    let _e268 = phi_402_;
+                    if _e243 {
+                        phi_408_ = _e264[2];
                     } else {
-                        phi_377_ = _e249;
+                        phi_408_ = _e268;
                     }
-                    let _e252 = phi_377_;
-                    let _e254 = ((_e252 * _e223) * _e229);
-                    let _e258 = (bitcast<f32>((bitcast<u32>(_e254) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e258 {
-                        let _e262 = (bitcast<f32>((bitcast<u32>(_e244) & 2147483647u)) * 0.00000011920929f);
-                        phi_400_ = select(0.00000000000011368684f, _e262, (_e262 > 0.00000000000011368684f));
+                    let _e271 = phi_408_;
+                    let _e272 = bitcast<u32>(_e271);
+                    let _e274 = ((_e272 & 2139095040u) != 0u);
+                    let _e288 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e272 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e272 & 2147483648u))), _e271, _e274) * _e227) * select(0.00000011920929f, 1f, _e274)) * _e233);
+                    let _e292 = (bitcast<f32>((bitcast<u32>(_e288) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e292 {
+                        let _e296 = (bitcast<f32>((bitcast<u32>(_e263) & 2147483647u)) * 0.00000011920929f);
+                        phi_460_ = select(0.00000000000011368684f, _e296, (_e296 > 0.00000000000011368684f));
                     } else {
-                        phi_400_ = 0f;
+                        phi_460_ = 0f;
                     }
-                    let _e266 = phi_400_;
-                    let _e267 = (_e244 + _e266);
-                    let _e268 = (_e244 - _e266);
-                    let _e269 = select(_e254, 0f, _e258);
-                    if _e258 {
-                        phi_411_ = 38685626000000000000000000f;
+                    let _e300 = phi_460_;
+                    let _e301 = (_e263 + _e300);
+                    let _e302 = (_e263 - _e300);
+                    let _e303 = select(_e288, 0f, _e292);
+                    if _e292 {
+                        phi_471_ = 38685626000000000000000000f;
                     } else {
-                        phi_411_ = (1f / _e254);
+                        phi_471_ = (1f / _e288);
                     }
-                    let _e272 = phi_411_;
-                    let _e273 = (_e194 == 0u);
-                    if _e273 {
-                        phi_420_ = _e233[0];
+                    let _e306 = phi_471_;
+                    let _e307 = (_e198 == 0u);
+                    if _e307 {
+                        phi_480_ = _e237[0];
                     } else {
-                        phi_420_ = _e233[1];
+                        phi_480_ = _e237[1];
                     }
-                    let _e277 = phi_420_;
-                    let _e278 = (_e194 == 2u);
-                    if _e278 {
-                        phi_426_ = _e233[2];
+                    let _e311 = phi_480_;
+                    let _e312 = (_e198 == 2u);
+                    if _e312 {
+                        phi_486_ = _e237[2];
                     } else {
-                        phi_426_ = _e277;
-                    }
-                    let _e281 = phi_426_;
-                    let _e283 = ((_e281 * _e206) * _e212);
-                    if _e273 {
-                        phi_437_ = _e245[0];
-                    } else {
-                        phi_437_ = _e245[1];
-                    }
-                    let _e287 = phi_437_;
-                    if _e278 {
-                        phi_443_ = _e245[2];
-                    } else {
-                        phi_443_ = _e287;
-                    }
-                    let _e290 = phi_443_;
-                    let _e292 = ((_e290 * _e223) * _e229);
-                    let _e296 = (bitcast<f32>((bitcast<u32>(_e292) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e296 {
-                        let _e300 = (bitcast<f32>((bitcast<u32>(_e283) & 2147483647u)) * 0.00000011920929f);
-                        phi_466_ = select(0.00000000000011368684f, _e300, (_e300 > 0.00000000000011368684f));
-                    } else {
-                        phi_466_ = 0f;
-                    }
-                    let _e304 = phi_466_;
-                    let _e305 = (_e283 + _e304);
-                    let _e306 = (_e283 - _e304);
-                    let _e307 = select(_e292, 0f, _e296);
-                    if _e296 {
-                        phi_477_ = 38685626000000000000000000f;
-                    } else {
-                        phi_477_ = (1f / _e292);
-                    }
-                    let _e310 = phi_477_;
-                    let _e311 = (_e196 == 0u);
-                    if _e311 {
-                        phi_486_ = _e233[0];
-                    } else {
-                        phi_486_ = _e233[1];
+                        phi_486_ = _e311;
                     }
                     let _e315 = phi_486_;
-                    let _e316 = (_e196 == 2u);
-                    if _e316 {
-                        phi_492_ = _e233[2];
+                    let _e316 = bitcast<u32>(_e315);
+                    let _e318 = ((_e316 & 2139095040u) != 0u);
+                    let _e332 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e316 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e316 & 2147483648u))), _e315, _e318) * _e210) * select(0.00000011920929f, 1f, _e318)) * _e216);
+                    if _e307 {
+                        phi_526_ = _e264[0];
                     } else {
-                        phi_492_ = _e315;
+                        phi_526_ = _e264[1];
                     }
-                    let _e319 = phi_492_;
-                    let _e321 = ((_e319 * _e206) * _e212);
-                    if _e311 {
-                        phi_503_ = _e245[0];
+                    let _e336 = phi_526_;
+                    if _e312 {
+                        phi_532_ = _e264[2];
                     } else {
-                        phi_503_ = _e245[1];
+                        phi_532_ = _e336;
                     }
-                    let _e325 = phi_503_;
-                    if _e316 {
-                        phi_509_ = _e245[2];
+                    let _e339 = phi_532_;
+                    let _e340 = bitcast<u32>(_e339);
+                    let _e342 = ((_e340 & 2139095040u) != 0u);
+                    let _e356 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e340 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e340 & 2147483648u))), _e339, _e342) * _e227) * select(0.00000011920929f, 1f, _e342)) * _e233);
+                    let _e360 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e360 {
+                        let _e364 = (bitcast<f32>((bitcast<u32>(_e332) & 2147483647u)) * 0.00000011920929f);
+                        phi_584_ = select(0.00000000000011368684f, _e364, (_e364 > 0.00000000000011368684f));
                     } else {
-                        phi_509_ = _e325;
+                        phi_584_ = 0f;
                     }
-                    let _e328 = phi_509_;
-                    let _e330 = ((_e328 * _e223) * _e229);
-                    let _e334 = (bitcast<f32>((bitcast<u32>(_e330) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e334 {
-                        let _e338 = (bitcast<f32>((bitcast<u32>(_e321) & 2147483647u)) * 0.00000011920929f);
-                        phi_532_ = select(0.00000000000011368684f, _e338, (_e338 > 0.00000000000011368684f));
+                    let _e368 = phi_584_;
+                    let _e369 = (_e332 + _e368);
+                    let _e370 = (_e332 - _e368);
+                    let _e371 = select(_e356, 0f, _e360);
+                    if _e360 {
+                        phi_595_ = 38685626000000000000000000f;
                     } else {
-                        phi_532_ = 0f;
+                        phi_595_ = (1f / _e356);
                     }
-                    let _e342 = phi_532_;
-                    let _e343 = (_e321 + _e342);
-                    let _e344 = (_e321 - _e342);
-                    let _e345 = select(_e330, 0f, _e334);
-                    if _e334 {
-                        phi_543_ = 38685626000000000000000000f;
+                    let _e374 = phi_595_;
+                    let _e375 = (_e200 == 0u);
+                    if _e375 {
+                        phi_604_ = _e237[0];
                     } else {
-                        phi_543_ = (1f / _e330);
+                        phi_604_ = _e237[1];
                     }
-                    let _e348 = phi_543_;
-                    let _e351 = bitcast<f32>((bitcast<u32>(_e244) & 2147483647u));
-                    let _e354 = bitcast<f32>((bitcast<u32>(_e283) & 2147483647u));
-                    let _e356 = select(_e354, _e351, (_e351 > _e354));
-                    let _e359 = bitcast<f32>((bitcast<u32>(_e321) & 2147483647u));
-                    let _e362 = (_e81 + _e176);
-                    if (_e157 && (select(_e359, _e356, (_e356 > _e359)) <= 1099511600000f)) {
-                        let _e365 = (_e362 / 3i);
-                        let _e372 = bitcast<f32>((bitcast<u32>((_e365 + 127i)) << bitcast<u32>(23i)));
-                        let _e379 = bitcast<f32>((bitcast<u32>(((_e362 - (2i * _e365)) + 127i)) << bitcast<u32>(23i)));
-                        let _e380 = (((_e142 * _e372) * _e372) * _e379);
-                        let _e382 = select(340282350000000000000000000000000000000f, _e380, (_e380 < 340282350000000000000000000000000000000f));
-                        let _e387 = (((_e151 * _e372) * _e372) * _e379);
-                        let _e389 = select(340282350000000000000000000000000000000f, _e387, (_e387 < 340282350000000000000000000000000000000f));
-                        phi_643_ = select(-340282350000000000000000000000000000000f, _e389, (_e389 > -340282350000000000000000000000000000000f));
-                        phi_644_ = select(-340282350000000000000000000000000000000f, _e382, (_e382 > -340282350000000000000000000000000000000f));
+                    let _e379 = phi_604_;
+                    let _e380 = (_e200 == 2u);
+                    if _e380 {
+                        phi_610_ = _e237[2];
                     } else {
-                        phi_643_ = 0f;
-                        phi_644_ = 1f;
+                        phi_610_ = _e379;
                     }
-                    let _e393 = phi_643_;
-                    let _e395 = phi_644_;
+                    let _e383 = phi_610_;
+                    let _e384 = bitcast<u32>(_e383);
+                    let _e386 = ((_e384 & 2139095040u) != 0u);
+                    let _e400 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e383, _e386) * _e210) * select(0.00000011920929f, 1f, _e386)) * _e216);
+                    if _e375 {
+                        phi_650_ = _e264[0];
+                    } else {
+                        phi_650_ = _e264[1];
+                    }
+                    let _e404 = phi_650_;
+                    if _e380 {
+                        phi_656_ = _e264[2];
+                    } else {
+                        phi_656_ = _e404;
+                    }
+                    let _e407 = phi_656_;
+                    let _e408 = bitcast<u32>(_e407);
+                    let _e410 = ((_e408 & 2139095040u) != 0u);
+                    let _e424 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e408 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e408 & 2147483648u))), _e407, _e410) * _e227) * select(0.00000011920929f, 1f, _e410)) * _e233);
+                    let _e428 = (bitcast<f32>((bitcast<u32>(_e424) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e428 {
+                        let _e432 = (bitcast<f32>((bitcast<u32>(_e400) & 2147483647u)) * 0.00000011920929f);
+                        phi_708_ = select(0.00000000000011368684f, _e432, (_e432 > 0.00000000000011368684f));
+                    } else {
+                        phi_708_ = 0f;
+                    }
+                    let _e436 = phi_708_;
+                    let _e437 = (_e400 + _e436);
+                    let _e438 = (_e400 - _e436);
+                    let _e439 = select(_e424, 0f, _e428);
+                    if _e428 {
+                        phi_719_ = 38685626000000000000000000f;
+                    } else {
+                        phi_719_ = (1f / _e424);
+                    }
+                    let _e442 = phi_719_;
+                    let _e445 = bitcast<f32>((bitcast<u32>(_e263) & 2147483647u));
+                    let _e448 = bitcast<f32>((bitcast<u32>(_e332) & 2147483647u));
+                    let _e450 = select(_e448, _e445, (_e445 > _e448));
+                    let _e453 = bitcast<f32>((bitcast<u32>(_e400) & 2147483647u));
+                    let _e456 = (_e85 + _e180);
+                    if (_e161 && (select(_e453, _e450, (_e450 > _e453)) <= 1099511600000f)) {
+                        let _e466 = ((_e148 & 8388607u) | (select(0u, 1u, ((_e148 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e469 = bitcast<i32>((_e148 >> bitcast<u32>(23i)));
+                        let _e473 = (_e466 == 0u);
+                        let _e476 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e466)), 32u, _e473)) - 8i);
+                        if (_e469 == 255i) {
+                            phi_774_ = 255i;
+                        } else {
+                            phi_774_ = (((_e469 + select(0i, 1i, (_e469 == 0i))) - _e476) + _e456);
+                        }
+                        let _e484 = phi_774_;
+                        let _e494 = (_e484 <= 0i);
+                        if _e494 {
+                            phi_797_ = u32();
+                        } else {
+                            if _e473 {
+                                phi_796_ = u32();
+                            } else {
+                                phi_796_ = select(((bitcast<u32>(_e484) << bitcast<u32>(23i)) | ((_e466 << bitcast<u32>(((_e476 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e484 >= 255i));
+                            }
+                            let _e498 = phi_796_;
+                            phi_797_ = _e498;
+                        }
+                        let _e500 = phi_797_;
+                        let _e512 = ((_e157 & 8388607u) | (select(0u, 1u, ((_e157 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e515 = bitcast<i32>((_e157 >> bitcast<u32>(23i)));
+                        let _e519 = (_e512 == 0u);
+                        let _e522 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e512)), 32u, _e519)) - 8i);
+                        if (_e515 == 255i) {
+                            phi_834_ = 255i;
+                        } else {
+                            phi_834_ = (((_e515 + select(0i, 1i, (_e515 == 0i))) - _e522) + _e456);
+                        }
+                        let _e530 = phi_834_;
+                        let _e540 = (_e530 <= 0i);
+                        if _e540 {
+                            phi_857_ = u32();
+                        } else {
+                            if _e519 {
+                                phi_856_ = u32();
+                            } else {
+                                phi_856_ = select(((bitcast<u32>(_e530) << bitcast<u32>(23i)) | ((_e512 << bitcast<u32>(((_e522 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e530 >= 255i));
+                            }
+                            let _e544 = phi_856_;
+                            phi_857_ = _e544;
+                        }
+                        let _e546 = phi_857_;
+                        phi_865_ = bitcast<f32>(((_e156 & 2147483648u) | select(_e546, 0u, select(_e519, true, _e540))));
+                        phi_866_ = bitcast<f32>(((_e147 & 2147483648u) | select(_e500, 0u, select(_e473, true, _e494))));
+                    } else {
+                        phi_865_ = 0f;
+                        phi_866_ = 1f;
+                    }
+                    let _e552 = phi_865_;
+                    let _e554 = phi_866_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2246_ = false;
-                    phi_656_ = type_48(type_39(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e393), 0u, 0u);
-                    phi_659_ = select(0u, 2147483648u, (_e67 == 0u));
-                    phi_661_ = ((3u * _e67) + 1u);
-                    phi_663_ = (_e395 <= _e393);
-                    phi_665_ = 0u;
+                    phi_2468_ = false;
+                    phi_878_ = type_48(type_39(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e552), 0u, 0u);
+                    phi_881_ = select(0u, 2147483648u, (_e71 == 0u));
+                    phi_883_ = ((3u * _e71) + 1u);
+                    phi_885_ = (_e554 <= _e552);
+                    phi_887_ = 0u;
                     loop {
-                        let _e404 = phi_2246_;
-                        let _e406 = phi_656_;
-                        let _e408 = phi_659_;
-                        let _e410 = phi_661_;
-                        let _e412 = phi_663_;
-                        let _e414 = phi_665_;
-                        local_2 = _e406;
-                        local_3 = _e406;
-                        if _e412 {
-                            phi_676_ = true;
+                        let _e563 = phi_2468_;
+                        let _e565 = phi_878_;
+                        let _e567 = phi_881_;
+                        let _e569 = phi_883_;
+                        let _e571 = phi_885_;
+                        let _e573 = phi_887_;
+                        local_2 = _e565;
+                        local_3 = _e565;
+                        if _e571 {
+                            phi_898_ = true;
                         } else {
-                            phi_676_ = (_e414 > 0u);
+                            phi_898_ = (_e573 > 0u);
                         }
-                        let _e417 = phi_676_;
-                        if _e417 {
-                            let _e418 = (_e410 > 0u);
-                            if _e418 {
-                                if _e412 {
-                                    phi_708_ = _e408;
-                                    phi_709_ = _e412;
-                                    phi_710_ = _e414;
+                        let _e576 = phi_898_;
+                        if _e576 {
+                            let _e577 = (_e569 > 0u);
+                            if _e577 {
+                                if _e571 {
+                                    phi_930_ = _e567;
+                                    phi_931_ = _e571;
+                                    phi_932_ = _e573;
                                 } else {
-                                    let _e419 = (_e414 - 1u);
-                                    let _e420 = (_e419 % 128u);
-                                    let _e421 = (_e420 < 128u);
-                                    if _e421 {
+                                    let _e578 = (_e573 - 1u);
+                                    let _e579 = (_e578 % 128u);
+                                    let _e580 = (_e579 < 128u);
+                                    if _e580 {
                                     } else {
-                                        phi_2382_ = true;
+                                        phi_2622_ = true;
                                         break;
                                     }
-                                    let _e423 = local_1[_e420];
-                                    if _e421 {
+                                    let _e582 = local_1[_e579];
+                                    if _e580 {
                                     } else {
-                                        phi_2382_ = true;
+                                        phi_2622_ = true;
                                         break;
                                     }
-                                    let _e425 = local[_e420];
-                                    phi_708_ = _e423;
-                                    phi_709_ = (_e425 <= _e406.member.member_1);
-                                    phi_710_ = _e419;
+                                    let _e584 = local[_e579];
+                                    phi_930_ = _e582;
+                                    phi_931_ = (_e584 <= _e565.member.member_1);
+                                    phi_932_ = _e578;
                                 }
-                                let _e430 = phi_708_;
-                                let _e432 = phi_709_;
-                                let _e434 = phi_710_;
-                                if _e432 {
-                                    if ((_e430 & 2147483648u) != 0u) {
-                                        phi_725_ = _e406;
-                                        phi_728_ = type_4(0u, ((_e430 >> bitcast<u32>(28u)) & 7u));
+                                let _e589 = phi_930_;
+                                let _e591 = phi_931_;
+                                let _e593 = phi_932_;
+                                if _e591 {
+                                    if ((_e589 & 2147483648u) != 0u) {
+                                        phi_947_ = _e565;
+                                        phi_950_ = type_4(0u, ((_e589 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e639 = phi_725_;
-                                            let _e641 = phi_728_;
-                                            local_4 = _e639;
-                                            if (_e641.member < _e641.member_1) {
-                                                phi_729_ = type_4((_e641.member + 1u), _e641.member_1);
-                                                phi_751_ = type_4(1u, _e641.member);
+                                            let _e798 = phi_947_;
+                                            let _e800 = phi_950_;
+                                            local_4 = _e798;
+                                            if (_e800.member < _e800.member_1) {
+                                                phi_951_ = type_4((_e800.member + 1u), _e800.member_1);
+                                                phi_973_ = type_4(1u, _e800.member);
                                             } else {
-                                                phi_729_ = _e641;
-                                                phi_751_ = type_4(0u, type_4().member_1);
+                                                phi_951_ = _e800;
+                                                phi_973_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e654 = phi_729_;
-                                            let _e656 = phi_751_;
-                                            let _e660 = (bitcast<i32>(_e656.member) != 0i);
-                                            if _e660 {
-                                                let _e666 = type_48(_e639.member, _e639.member_1, (_e639.member_2 + 1u));
-                                                let _e667 = ((_e430 & 268435455u) + _e656.member_1);
-                                                let _e668 = (_e667 < _e69);
-                                                if _e668 {
-                                                    if _e668 {
+                                            let _e813 = phi_951_;
+                                            let _e815 = phi_973_;
+                                            let _e819 = (bitcast<i32>(_e815.member) != 0i);
+                                            if _e819 {
+                                                let _e825 = type_48(_e798.member, _e798.member_1, (_e798.member_2 + 1u));
+                                                let _e826 = ((_e589 & 268435455u) + _e815.member_1);
+                                                let _e827 = (_e826 < _e73);
+                                                if _e827 {
+                                                    if _e827 {
                                                     } else {
-                                                        phi_2240_ = true;
+                                                        phi_2462_ = true;
                                                         break;
                                                     }
-                                                    let _e672 = global_3.member[_e667].member_1;
-                                                    phi_775_ = _e672;
+                                                    let _e831 = global_3.member[_e826].member_1;
+                                                    phi_997_ = _e831;
                                                 } else {
-                                                    phi_775_ = 4294967295u;
+                                                    phi_997_ = 4294967295u;
                                                 }
-                                                let _e674 = phi_775_;
-                                                if (_e667 >= _e69) {
-                                                    phi_864_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e833 = phi_997_;
+                                                if (_e826 >= _e73) {
+                                                    phi_1086_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e668 {
+                                                    if _e827 {
                                                     } else {
-                                                        phi_2240_ = true;
+                                                        phi_2462_ = true;
                                                         break;
                                                     }
-                                                    let _e676 = (_e195 % 3u);
-                                                    let _e677 = (_e194 % 3u);
-                                                    let _e678 = (_e196 % 3u);
-                                                    if (_e676 < 9u) {
+                                                    let _e835 = (_e199 % 3u);
+                                                    let _e836 = (_e198 % 3u);
+                                                    let _e837 = (_e200 % 3u);
+                                                    if (_e835 < 9u) {
                                                     } else {
-                                                        phi_2240_ = true;
+                                                        phi_2462_ = true;
                                                         break;
                                                     }
-                                                    let _e684 = global_3.member[_e667].member[_e676];
-                                                    if (_e677 < 9u) {
+                                                    let _e843 = global_3.member[_e826].member[_e835];
+                                                    if (_e836 < 9u) {
                                                     } else {
-                                                        phi_2240_ = true;
+                                                        phi_2462_ = true;
                                                         break;
                                                     }
-                                                    let _e690 = global_3.member[_e667].member[_e677];
-                                                    if (_e678 < 9u) {
+                                                    let _e849 = global_3.member[_e826].member[_e836];
+                                                    if (_e837 < 9u) {
                                                     } else {
-                                                        phi_2240_ = true;
+                                                        phi_2462_ = true;
                                                         break;
                                                     }
-                                                    let _e696 = global_3.member[_e667].member[_e678];
-                                                    let _e698 = (3u + _e676);
-                                                    if (_e698 < 9u) {
+                                                    let _e855 = global_3.member[_e826].member[_e837];
+                                                    let _e857 = (3u + _e835);
+                                                    if (_e857 < 9u) {
                                                     } else {
-                                                        phi_2240_ = true;
+                                                        phi_2462_ = true;
                                                         break;
                                                     }
-                                                    let _e704 = global_3.member[_e667].member[_e698];
-                                                    let _e705 = (3u + _e677);
-                                                    if (_e705 < 9u) {
+                                                    let _e863 = global_3.member[_e826].member[_e857];
+                                                    let _e864 = (3u + _e836);
+                                                    if (_e864 < 9u) {
                                                     } else {
-                                                        phi_2240_ = true;
+                                                        phi_2462_ = true;
                                                         break;
                                                     }
-                                                    let _e711 = global_3.member[_e667].member[_e705];
-                                                    let _e712 = (3u + _e678);
-                                                    if (_e712 < 9u) {
+                                                    let _e870 = global_3.member[_e826].member[_e864];
+                                                    let _e871 = (3u + _e837);
+                                                    if (_e871 < 9u) {
                                                     } else {
-                                                        phi_2240_ = true;
+                                                        phi_2462_ = true;
                                                         break;
                                                     }
-                                                    let _e718 = global_3.member[_e667].member[_e712];
-                                                    let _e720 = (6u + _e676);
-                                                    if (_e720 < 9u) {
+                                                    let _e877 = global_3.member[_e826].member[_e871];
+                                                    let _e879 = (6u + _e835);
+                                                    if (_e879 < 9u) {
                                                     } else {
-                                                        phi_2240_ = true;
+                                                        phi_2462_ = true;
                                                         break;
                                                     }
-                                                    let _e726 = global_3.member[_e667].member[_e720];
-                                                    let _e727 = (6u + _e677);
-                                                    if (_e727 < 9u) {
+                                                    let _e885 = global_3.member[_e826].member[_e879];
+                                                    let _e886 = (6u + _e836);
+                                                    if (_e886 < 9u) {
                                                     } else {
-                                                        phi_2240_ = true;
+                                                        phi_2462_ = true;
                                                         break;
                                                     }
-                                                    let _e733 = global_3.member[_e667].member[_e727];
-                                                    let _e734 = (6u + _e678);
-                                                    if (_e734 < 9u) {
+                                                    let _e892 = global_3.member[_e826].member[_e886];
+                                                    let _e893 = (6u + _e837);
+                                                    if (_e893 < 9u) {
                                                     } else {
-                                                        phi_2240_ = true;
+                                                        phi_2462_ = true;
                                                         break;
                                                     }
-                                                    let _e740 = global_3.member[_e667].member[_e734];
-                                                    phi_864_ = array<array<f32, 3>, 3>(array<f32, 3>(_e684, _e690, _e696), array<f32, 3>(_e704, _e711, _e718), array<f32, 3>(_e726, _e733, _e740));
+                                                    let _e899 = global_3.member[_e826].member[_e893];
+                                                    phi_1086_ = array<array<f32, 3>, 3>(array<f32, 3>(_e843, _e849, _e855), array<f32, 3>(_e863, _e870, _e877), array<f32, 3>(_e885, _e892, _e899));
                                                 }
-                                                let _e744 = phi_864_;
-                                                let _e753 = (_e744[0][2] - _e321);
-                                                let _e756 = (((_e744[0][0] - _e244) * _e345) - (_e753 * _e269));
-                                                let _e759 = (((_e744[0][1] - _e283) * _e345) - (_e753 * _e307));
-                                                let _e766 = (_e744[1][2] - _e321);
-                                                let _e769 = (((_e744[1][0] - _e244) * _e345) - (_e766 * _e269));
-                                                let _e772 = (((_e744[1][1] - _e283) * _e345) - (_e766 * _e307));
-                                                let _e779 = (_e744[2][2] - _e321);
-                                                let _e782 = (((_e744[2][0] - _e244) * _e345) - (_e779 * _e269));
-                                                let _e785 = (((_e744[2][1] - _e283) * _e345) - (_e779 * _e307));
-                                                let _e786 = (_e782 * _e772);
-                                                let _e787 = (_e785 * _e769);
-                                                let _e788 = (_e756 * _e785);
-                                                let _e789 = (_e759 * _e782);
-                                                let _e790 = (_e769 * _e759);
-                                                let _e791 = (_e772 * _e756);
-                                                let _e796 = (((_e786 >= _e787) && (_e788 >= _e789)) && (_e790 >= _e791));
-                                                if (_e796 || (((_e786 <= _e787) && (_e788 <= _e789)) && (_e790 <= _e791))) {
-                                                    let _e803 = select(-1f, 1f, _e796);
-                                                    let _e805 = ((_e786 - _e787) * _e803);
-                                                    let _e807 = select(0f, _e805, (_e805 > 0f));
-                                                    let _e809 = ((_e788 - _e789) * _e803);
-                                                    let _e811 = select(0f, _e809, (_e809 > 0f));
-                                                    let _e813 = ((_e790 - _e791) * _e803);
-                                                    let _e815 = select(0f, _e813, (_e813 > 0f));
-                                                    let _e817 = ((_e807 + _e811) + _e815);
-                                                    if (_e817 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1689_ = type_27();
-                                                        phi_1690_ = true;
-                                                        phi_1691_ = false;
+                                                let _e903 = phi_1086_;
+                                                let _e912 = (_e903[0][2] - _e400);
+                                                let _e915 = (((_e903[0][0] - _e263) * _e439) - (_e912 * _e303));
+                                                let _e918 = (((_e903[0][1] - _e332) * _e439) - (_e912 * _e371));
+                                                let _e925 = (_e903[1][2] - _e400);
+                                                let _e928 = (((_e903[1][0] - _e263) * _e439) - (_e925 * _e303));
+                                                let _e931 = (((_e903[1][1] - _e332) * _e439) - (_e925 * _e371));
+                                                let _e938 = (_e903[2][2] - _e400);
+                                                let _e941 = (((_e903[2][0] - _e263) * _e439) - (_e938 * _e303));
+                                                let _e944 = (((_e903[2][1] - _e332) * _e439) - (_e938 * _e371));
+                                                let _e945 = (_e941 * _e931);
+                                                let _e946 = (_e944 * _e928);
+                                                let _e947 = (_e915 * _e944);
+                                                let _e948 = (_e918 * _e941);
+                                                let _e949 = (_e928 * _e918);
+                                                let _e950 = (_e931 * _e915);
+                                                let _e955 = (((_e945 >= _e946) && (_e947 >= _e948)) && (_e949 >= _e950));
+                                                if (_e955 || (((_e945 <= _e946) && (_e947 <= _e948)) && (_e949 <= _e950))) {
+                                                    let _e962 = select(-1f, 1f, _e955);
+                                                    let _e964 = ((_e945 - _e946) * _e962);
+                                                    let _e966 = select(0f, _e964, (_e964 > 0f));
+                                                    let _e968 = ((_e947 - _e948) * _e962);
+                                                    let _e970 = select(0f, _e968, (_e968 > 0f));
+                                                    let _e972 = ((_e949 - _e950) * _e962);
+                                                    let _e974 = select(0f, _e972, (_e972 > 0f));
+                                                    let _e976 = ((_e966 + _e970) + _e974);
+                                                    if (_e976 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1911_ = type_27();
+                                                        phi_1912_ = true;
+                                                        phi_1913_ = false;
                                                     } else {
-                                                        let _e820 = select(_e769, _e756, (_e756 < _e769));
-                                                        if (select(_e782, _e820, (_e820 < _e782)) > 0f) {
-                                                            phi_981_ = true;
+                                                        let _e979 = select(_e928, _e915, (_e915 < _e928));
+                                                        if (select(_e941, _e979, (_e979 < _e941)) > 0f) {
+                                                            phi_1203_ = true;
                                                         } else {
-                                                            let _e825 = select(_e769, _e756, (_e756 > _e769));
-                                                            phi_981_ = (select(_e782, _e825, (_e825 > _e782)) < 0f);
+                                                            let _e984 = select(_e928, _e915, (_e915 > _e928));
+                                                            phi_1203_ = (select(_e941, _e984, (_e984 > _e941)) < 0f);
                                                         }
-                                                        let _e830 = phi_981_;
-                                                        if _e830 {
-                                                            phi_1686_ = type_27();
-                                                            phi_1687_ = true;
-                                                            phi_1688_ = false;
+                                                        let _e989 = phi_1203_;
+                                                        if _e989 {
+                                                            phi_1908_ = type_27();
+                                                            phi_1909_ = true;
+                                                            phi_1910_ = false;
                                                         } else {
-                                                            let _e832 = select(_e772, _e759, (_e759 < _e772));
-                                                            if (select(_e785, _e832, (_e832 < _e785)) > 0f) {
-                                                                phi_1010_ = true;
+                                                            let _e991 = select(_e931, _e918, (_e918 < _e931));
+                                                            if (select(_e944, _e991, (_e991 < _e944)) > 0f) {
+                                                                phi_1232_ = true;
                                                             } else {
-                                                                let _e837 = select(_e772, _e759, (_e759 > _e772));
-                                                                phi_1010_ = (select(_e785, _e837, (_e837 > _e785)) < 0f);
+                                                                let _e996 = select(_e931, _e918, (_e918 > _e931));
+                                                                phi_1232_ = (select(_e944, _e996, (_e996 > _e944)) < 0f);
                                                             }
-                                                            let _e842 = phi_1010_;
-                                                            if _e842 {
-                                                                phi_1684_ = type_27();
-                                                                phi_1685_ = false;
+                                                            let _e1001 = phi_1232_;
+                                                            if _e1001 {
+                                                                phi_1906_ = type_27();
+                                                                phi_1907_ = false;
                                                             } else {
-                                                                let _e844 = select(_e744[1][0], _e744[0][0], (_e744[0][0] < _e744[1][0]));
-                                                                let _e848 = select(_e744[1][0], _e744[0][0], (_e744[0][0] > _e744[1][0]));
-                                                                let _e852 = select(_e744[1][1], _e744[0][1], (_e744[0][1] < _e744[1][1]));
-                                                                let _e856 = select(_e744[1][1], _e744[0][1], (_e744[0][1] > _e744[1][1]));
-                                                                let _e860 = select(_e744[1][2], _e744[0][2], (_e744[0][2] < _e744[1][2]));
-                                                                let _e864 = select(_e744[1][2], _e744[0][2], (_e744[0][2] > _e744[1][2]));
-                                                                let _e869 = ((select(_e744[2][0], _e844, (_e844 < _e744[2][0])) - _e267) * _e272);
-                                                                let _e870 = ((select(_e744[2][0], _e848, (_e848 > _e744[2][0])) - _e268) * _e272);
-                                                                let _e873 = ((select(_e744[2][1], _e852, (_e852 < _e744[2][1])) - _e305) * _e310);
-                                                                let _e874 = ((select(_e744[2][1], _e856, (_e856 > _e744[2][1])) - _e306) * _e310);
-                                                                let _e877 = ((select(_e744[2][2], _e860, (_e860 < _e744[2][2])) - _e343) * _e348);
-                                                                let _e878 = ((select(_e744[2][2], _e864, (_e864 > _e744[2][2])) - _e344) * _e348);
-                                                                let _e880 = select(_e878, _e877, (_e877 < _e878));
-                                                                let _e882 = select(_e878, _e877, (_e877 > _e878));
-                                                                let _e884 = select(_e870, _e869, (_e869 < _e870));
-                                                                let _e886 = select(_e874, _e873, (_e873 < _e874));
-                                                                let _e888 = select(_e886, _e884, (_e884 > _e886));
-                                                                let _e890 = select(_e880, _e888, (_e888 > _e880));
-                                                                let _e892 = select(_e870, _e869, (_e869 > _e870));
-                                                                let _e894 = select(_e874, _e873, (_e873 > _e874));
-                                                                let _e896 = select(_e894, _e892, (_e892 < _e894));
-                                                                let _e898 = select(_e882, _e896, (_e896 < _e882));
-                                                                let _e899 = -(_e880);
-                                                                let _e905 = select(_e395, _e890, (_e890 > _e395));
-                                                                if (_e905 > (_e898 + (select(_e899, _e882, (_e882 > _e899)) * 0.0000019073523f))) {
-                                                                    phi_1679_ = type_27();
-                                                                    phi_1680_ = true;
+                                                                let _e1003 = select(_e903[1][0], _e903[0][0], (_e903[0][0] < _e903[1][0]));
+                                                                let _e1007 = select(_e903[1][0], _e903[0][0], (_e903[0][0] > _e903[1][0]));
+                                                                let _e1011 = select(_e903[1][1], _e903[0][1], (_e903[0][1] < _e903[1][1]));
+                                                                let _e1015 = select(_e903[1][1], _e903[0][1], (_e903[0][1] > _e903[1][1]));
+                                                                let _e1019 = select(_e903[1][2], _e903[0][2], (_e903[0][2] < _e903[1][2]));
+                                                                let _e1023 = select(_e903[1][2], _e903[0][2], (_e903[0][2] > _e903[1][2]));
+                                                                let _e1028 = ((select(_e903[2][0], _e1003, (_e1003 < _e903[2][0])) - _e301) * _e306);
+                                                                let _e1029 = ((select(_e903[2][0], _e1007, (_e1007 > _e903[2][0])) - _e302) * _e306);
+                                                                let _e1032 = ((select(_e903[2][1], _e1011, (_e1011 < _e903[2][1])) - _e369) * _e374);
+                                                                let _e1033 = ((select(_e903[2][1], _e1015, (_e1015 > _e903[2][1])) - _e370) * _e374);
+                                                                let _e1036 = ((select(_e903[2][2], _e1019, (_e1019 < _e903[2][2])) - _e437) * _e442);
+                                                                let _e1037 = ((select(_e903[2][2], _e1023, (_e1023 > _e903[2][2])) - _e438) * _e442);
+                                                                let _e1039 = select(_e1037, _e1036, (_e1036 < _e1037));
+                                                                let _e1041 = select(_e1037, _e1036, (_e1036 > _e1037));
+                                                                let _e1043 = select(_e1029, _e1028, (_e1028 < _e1029));
+                                                                let _e1045 = select(_e1033, _e1032, (_e1032 < _e1033));
+                                                                let _e1047 = select(_e1045, _e1043, (_e1043 > _e1045));
+                                                                let _e1049 = select(_e1039, _e1047, (_e1047 > _e1039));
+                                                                let _e1051 = select(_e1029, _e1028, (_e1028 > _e1029));
+                                                                let _e1053 = select(_e1033, _e1032, (_e1032 > _e1033));
+                                                                let _e1055 = select(_e1053, _e1051, (_e1051 < _e1053));
+                                                                let _e1057 = select(_e1041, _e1055, (_e1055 < _e1041));
+                                                                let _e1058 = -(_e1039);
+                                                                let _e1064 = select(_e554, _e1049, (_e1049 > _e554));
+                                                                if (_e1064 > (_e1057 + (select(_e1058, _e1041, (_e1041 > _e1058)) * 0.0000019073523f))) {
+                                                                    phi_1901_ = type_27();
+                                                                    phi_1902_ = true;
                                                                 } else {
-                                                                    let _e907 = (_e905 > _e639.member.member_1);
-                                                                    if _e907 {
-                                                                        phi_1678_ = type_27();
+                                                                    let _e1066 = (_e1064 > _e798.member.member_1);
+                                                                    if _e1066 {
+                                                                        phi_1900_ = type_27();
                                                                     } else {
-                                                                        let _e908 = vec3<f32>(_e744[0][0], _e744[0][1], _e744[0][2]);
-                                                                        let _e909 = vec3<f32>(_e744[1][0], _e744[1][1], _e744[1][2]);
-                                                                        let _e910 = vec3<f32>(_e744[2][0], _e744[2][1], _e744[2][2]);
-                                                                        let _e911 = (_e744[1][0] - _e744[0][0]);
-                                                                        let _e912 = (_e744[1][1] - _e744[0][1]);
-                                                                        let _e913 = (_e744[1][2] - _e744[0][2]);
-                                                                        let _e914 = vec3<f32>(_e911, _e912, _e913);
-                                                                        let _e915 = (_e744[2][0] - _e744[1][0]);
-                                                                        let _e916 = (_e744[2][1] - _e744[1][1]);
-                                                                        let _e917 = (_e744[2][2] - _e744[1][2]);
-                                                                        let _e918 = vec3<f32>(_e915, _e916, _e917);
-                                                                        let _e919 = (_e744[0][0] - _e744[2][0]);
-                                                                        let _e920 = (_e744[0][1] - _e744[2][1]);
-                                                                        let _e921 = (_e744[0][2] - _e744[2][2]);
-                                                                        let _e922 = vec3<f32>(_e919, _e920, _e921);
-                                                                        let _e925 = bitcast<f32>((bitcast<u32>(_e911) & 2147483647u));
-                                                                        let _e928 = bitcast<f32>((bitcast<u32>(_e912) & 2147483647u));
-                                                                        let _e930 = select(_e928, _e925, (_e925 > _e928));
-                                                                        let _e933 = bitcast<f32>((bitcast<u32>(_e913) & 2147483647u));
-                                                                        let _e935 = select(_e933, _e930, (_e930 > _e933));
-                                                                        let _e938 = bitcast<f32>((bitcast<u32>(_e915) & 2147483647u));
-                                                                        let _e941 = bitcast<f32>((bitcast<u32>(_e916) & 2147483647u));
-                                                                        let _e943 = select(_e941, _e938, (_e938 > _e941));
-                                                                        let _e946 = bitcast<f32>((bitcast<u32>(_e917) & 2147483647u));
-                                                                        let _e948 = select(_e946, _e943, (_e943 > _e946));
-                                                                        let _e951 = bitcast<f32>((bitcast<u32>(_e919) & 2147483647u));
-                                                                        let _e954 = bitcast<f32>((bitcast<u32>(_e920) & 2147483647u));
-                                                                        let _e956 = select(_e954, _e951, (_e951 > _e954));
-                                                                        let _e959 = bitcast<f32>((bitcast<u32>(_e921) & 2147483647u));
-                                                                        let _e961 = select(_e959, _e956, (_e956 > _e959));
-                                                                        let _e963 = select(_e948, _e935, (_e935 > _e948));
-                                                                        let _e965 = select(_e961, _e963, (_e963 > _e961));
-                                                                        if (_e935 == _e965) {
-                                                                            phi_1411_ = _e772;
-                                                                            phi_1412_ = _e769;
-                                                                            phi_1413_ = _e759;
-                                                                            phi_1414_ = _e756;
-                                                                            phi_1415_ = _e908;
-                                                                            phi_1416_ = _e922;
-                                                                            phi_1417_ = _e918;
-                                                                            phi_1418_ = _e914;
+                                                                        let _e1067 = vec3<f32>(_e903[0][0], _e903[0][1], _e903[0][2]);
+                                                                        let _e1068 = vec3<f32>(_e903[1][0], _e903[1][1], _e903[1][2]);
+                                                                        let _e1069 = vec3<f32>(_e903[2][0], _e903[2][1], _e903[2][2]);
+                                                                        let _e1070 = (_e903[1][0] - _e903[0][0]);
+                                                                        let _e1071 = (_e903[1][1] - _e903[0][1]);
+                                                                        let _e1072 = (_e903[1][2] - _e903[0][2]);
+                                                                        let _e1073 = vec3<f32>(_e1070, _e1071, _e1072);
+                                                                        let _e1074 = (_e903[2][0] - _e903[1][0]);
+                                                                        let _e1075 = (_e903[2][1] - _e903[1][1]);
+                                                                        let _e1076 = (_e903[2][2] - _e903[1][2]);
+                                                                        let _e1077 = vec3<f32>(_e1074, _e1075, _e1076);
+                                                                        let _e1078 = (_e903[0][0] - _e903[2][0]);
+                                                                        let _e1079 = (_e903[0][1] - _e903[2][1]);
+                                                                        let _e1080 = (_e903[0][2] - _e903[2][2]);
+                                                                        let _e1081 = vec3<f32>(_e1078, _e1079, _e1080);
+                                                                        let _e1084 = bitcast<f32>((bitcast<u32>(_e1070) & 2147483647u));
+                                                                        let _e1087 = bitcast<f32>((bitcast<u32>(_e1071) & 2147483647u));
+                                                                        let _e1089 = select(_e1087, _e1084, (_e1084 > _e1087));
+                                                                        let _e1092 = bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u));
+                                                                        let _e1094 = select(_e1092, _e1089, (_e1089 > _e1092));
+                                                                        let _e1097 = bitcast<f32>((bitcast<u32>(_e1074) & 2147483647u));
+                                                                        let _e1100 = bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u));
+                                                                        let _e1102 = select(_e1100, _e1097, (_e1097 > _e1100));
+                                                                        let _e1105 = bitcast<f32>((bitcast<u32>(_e1076) & 2147483647u));
+                                                                        let _e1107 = select(_e1105, _e1102, (_e1102 > _e1105));
+                                                                        let _e1110 = bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u));
+                                                                        let _e1113 = bitcast<f32>((bitcast<u32>(_e1079) & 2147483647u));
+                                                                        let _e1115 = select(_e1113, _e1110, (_e1110 > _e1113));
+                                                                        let _e1118 = bitcast<f32>((bitcast<u32>(_e1080) & 2147483647u));
+                                                                        let _e1120 = select(_e1118, _e1115, (_e1115 > _e1118));
+                                                                        let _e1122 = select(_e1107, _e1094, (_e1094 > _e1107));
+                                                                        let _e1124 = select(_e1120, _e1122, (_e1122 > _e1120));
+                                                                        if (_e1094 == _e1124) {
+                                                                            phi_1633_ = _e931;
+                                                                            phi_1634_ = _e928;
+                                                                            phi_1635_ = _e918;
+                                                                            phi_1636_ = _e915;
+                                                                            phi_1637_ = _e1067;
+                                                                            phi_1638_ = _e1081;
+                                                                            phi_1639_ = _e1077;
+                                                                            phi_1640_ = _e1073;
                                                                         } else {
-                                                                            let _e967 = (_e948 == _e965);
-                                                                            let _e972 = vec3(_e967);
-                                                                            phi_1411_ = select(_e759, _e785, _e967);
-                                                                            phi_1412_ = select(_e756, _e782, _e967);
-                                                                            phi_1413_ = select(_e785, _e772, _e967);
-                                                                            phi_1414_ = select(_e782, _e769, _e967);
-                                                                            phi_1415_ = select(_e910, _e909, _e972);
-                                                                            phi_1416_ = select(_e918, _e914, _e972);
-                                                                            phi_1417_ = select(_e914, _e922, _e972);
-                                                                            phi_1418_ = select(_e922, _e918, _e972);
+                                                                            let _e1126 = (_e1107 == _e1124);
+                                                                            let _e1131 = vec3(_e1126);
+                                                                            phi_1633_ = select(_e918, _e944, _e1126);
+                                                                            phi_1634_ = select(_e915, _e941, _e1126);
+                                                                            phi_1635_ = select(_e944, _e931, _e1126);
+                                                                            phi_1636_ = select(_e941, _e928, _e1126);
+                                                                            phi_1637_ = select(_e1069, _e1068, _e1131);
+                                                                            phi_1638_ = select(_e1077, _e1073, _e1131);
+                                                                            phi_1639_ = select(_e1073, _e1081, _e1131);
+                                                                            phi_1640_ = select(_e1081, _e1077, _e1131);
                                                                         }
-                                                                        let _e978 = phi_1411_;
-                                                                        let _e980 = phi_1412_;
-                                                                        let _e982 = phi_1413_;
-                                                                        let _e984 = phi_1414_;
-                                                                        let _e986 = phi_1415_;
-                                                                        let _e988 = phi_1416_;
-                                                                        let _e990 = phi_1417_;
-                                                                        let _e992 = phi_1418_;
-                                                                        let _e999 = ((_e990.y * _e988.z) - (_e988.y * _e990.z));
-                                                                        let _e1004 = ((_e990.z * _e988.x) - (_e988.z * _e990.x));
-                                                                        let _e1007 = ((_e990.x * _e988.y) - (_e988.x * _e990.y));
-                                                                        if (_e807 >= _e811) {
-                                                                            phi_1449_ = select(true, false, (_e807 >= _e815));
+                                                                        let _e1137 = phi_1633_;
+                                                                        let _e1139 = phi_1634_;
+                                                                        let _e1141 = phi_1635_;
+                                                                        let _e1143 = phi_1636_;
+                                                                        let _e1145 = phi_1637_;
+                                                                        let _e1147 = phi_1638_;
+                                                                        let _e1149 = phi_1639_;
+                                                                        let _e1151 = phi_1640_;
+                                                                        let _e1158 = ((_e1149.y * _e1147.z) - (_e1147.y * _e1149.z));
+                                                                        let _e1163 = ((_e1149.z * _e1147.x) - (_e1147.z * _e1149.x));
+                                                                        let _e1166 = ((_e1149.x * _e1147.y) - (_e1147.x * _e1149.y));
+                                                                        if (_e966 >= _e970) {
+                                                                            phi_1671_ = select(true, false, (_e966 >= _e974));
                                                                         } else {
-                                                                            phi_1449_ = true;
+                                                                            phi_1671_ = true;
                                                                         }
-                                                                        let _e1012 = phi_1449_;
-                                                                        if _e1012 {
-                                                                            phi_1458_ = select(_e910, _e909, vec3((_e811 >= _e815)));
+                                                                        let _e1171 = phi_1671_;
+                                                                        if _e1171 {
+                                                                            phi_1680_ = select(_e1069, _e1068, vec3((_e970 >= _e974)));
                                                                         } else {
-                                                                            phi_1458_ = _e908;
+                                                                            phi_1680_ = _e1067;
                                                                         }
-                                                                        let _e1017 = phi_1458_;
-                                                                        let _e1028 = (((_e999 * (_e1017.x - _e244)) + (_e1004 * (_e1017.y - _e283))) + (_e1007 * (_e1017.z - _e321)));
-                                                                        let _e1033 = (((_e999 * _e269) + (_e1004 * _e307)) + (_e1007 * _e345));
-                                                                        let _e1034 = (_e980 - _e984);
-                                                                        let _e1035 = (_e978 - _e982);
-                                                                        let _e1043 = (-(((_e984 * _e1034) + (_e982 * _e1035))) / ((_e1034 * _e1034) + (_e1035 * _e1035)));
-                                                                        let _e1045 = select(1f, _e1043, (_e1043 < 1f));
-                                                                        let _e1047 = select(0f, _e1045, (_e1045 > 0f));
-                                                                        let _e1060 = ((_e986.x + (_e992.x * _e1047)) - _e244);
-                                                                        let _e1061 = ((_e986.y + (_e992.y * _e1047)) - _e283);
-                                                                        let _e1062 = ((_e986.z + (_e992.z * _e1047)) - _e321);
-                                                                        let _e1063 = (_e1062 / _e345);
-                                                                        let _e1075 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
-                                                                        let _e1078 = bitcast<f32>((bitcast<u32>(_e1061) & 2147483647u));
-                                                                        let _e1080 = select(_e1078, _e1075, (_e1075 > _e1078));
-                                                                        let _e1083 = bitcast<f32>((bitcast<u32>(_e1062) & 2147483647u));
-                                                                        let _e1085 = select(_e1083, _e1080, (_e1080 > _e1083));
-                                                                        let _e1091 = bitcast<f32>((bitcast<u32>(_e999) & 2147483647u));
-                                                                        let _e1094 = bitcast<f32>((bitcast<u32>(_e1004) & 2147483647u));
-                                                                        let _e1096 = select(_e1094, _e1091, (_e1091 > _e1094));
-                                                                        let _e1099 = bitcast<f32>((bitcast<u32>(_e1007) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e999 * _e1060) + (_e1004 * _e1061)) + (_e1007 * _e1062)) - _e1028)) & 2147483647u)) <= ((0.0000009536743f * select(_e965, _e1085, (_e1085 > _e965))) * select(_e1099, _e1096, (_e1096 > _e1099)))) {
-                                                                            let _e1109 = bitcast<f32>((bitcast<u32>(_e990.x) & 2147483647u));
-                                                                            let _e1112 = bitcast<f32>((bitcast<u32>(_e990.y) & 2147483647u));
-                                                                            let _e1114 = select(_e1112, _e1109, (_e1109 > _e1112));
-                                                                            let _e1117 = bitcast<f32>((bitcast<u32>(_e990.z) & 2147483647u));
-                                                                            let _e1123 = bitcast<f32>((bitcast<u32>(_e988.x) & 2147483647u));
-                                                                            let _e1126 = bitcast<f32>((bitcast<u32>(_e988.y) & 2147483647u));
-                                                                            let _e1128 = select(_e1126, _e1123, (_e1123 > _e1126));
-                                                                            let _e1131 = bitcast<f32>((bitcast<u32>(_e988.z) & 2147483647u));
-                                                                            let _e1135 = (bitcast<f32>((bitcast<u32>(_e1033) & 2147483647u)) > ((0.0000038146973f * select(_e1117, _e1114, (_e1114 > _e1117))) * select(_e1131, _e1128, (_e1128 > _e1131))));
-                                                                            if _e1135 {
-                                                                                phi_1623_ = (_e1028 / _e1033);
+                                                                        let _e1176 = phi_1680_;
+                                                                        let _e1187 = (((_e1158 * (_e1176.x - _e263)) + (_e1163 * (_e1176.y - _e332))) + (_e1166 * (_e1176.z - _e400)));
+                                                                        let _e1192 = (((_e1158 * _e303) + (_e1163 * _e371)) + (_e1166 * _e439));
+                                                                        let _e1193 = (_e1139 - _e1143);
+                                                                        let _e1194 = (_e1137 - _e1141);
+                                                                        let _e1202 = (-(((_e1143 * _e1193) + (_e1141 * _e1194))) / ((_e1193 * _e1193) + (_e1194 * _e1194)));
+                                                                        let _e1204 = select(1f, _e1202, (_e1202 < 1f));
+                                                                        let _e1206 = select(0f, _e1204, (_e1204 > 0f));
+                                                                        let _e1219 = ((_e1145.x + (_e1151.x * _e1206)) - _e263);
+                                                                        let _e1220 = ((_e1145.y + (_e1151.y * _e1206)) - _e332);
+                                                                        let _e1221 = ((_e1145.z + (_e1151.z * _e1206)) - _e400);
+                                                                        let _e1222 = (_e1221 / _e439);
+                                                                        let _e1234 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
+                                                                        let _e1237 = bitcast<f32>((bitcast<u32>(_e1220) & 2147483647u));
+                                                                        let _e1239 = select(_e1237, _e1234, (_e1234 > _e1237));
+                                                                        let _e1242 = bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u));
+                                                                        let _e1244 = select(_e1242, _e1239, (_e1239 > _e1242));
+                                                                        let _e1250 = bitcast<f32>((bitcast<u32>(_e1158) & 2147483647u));
+                                                                        let _e1253 = bitcast<f32>((bitcast<u32>(_e1163) & 2147483647u));
+                                                                        let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
+                                                                        let _e1258 = bitcast<f32>((bitcast<u32>(_e1166) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1158 * _e1219) + (_e1163 * _e1220)) + (_e1166 * _e1221)) - _e1187)) & 2147483647u)) <= ((0.0000009536743f * select(_e1124, _e1244, (_e1244 > _e1124))) * select(_e1258, _e1255, (_e1255 > _e1258)))) {
+                                                                            let _e1268 = bitcast<f32>((bitcast<u32>(_e1149.x) & 2147483647u));
+                                                                            let _e1271 = bitcast<f32>((bitcast<u32>(_e1149.y) & 2147483647u));
+                                                                            let _e1273 = select(_e1271, _e1268, (_e1268 > _e1271));
+                                                                            let _e1276 = bitcast<f32>((bitcast<u32>(_e1149.z) & 2147483647u));
+                                                                            let _e1282 = bitcast<f32>((bitcast<u32>(_e1147.x) & 2147483647u));
+                                                                            let _e1285 = bitcast<f32>((bitcast<u32>(_e1147.y) & 2147483647u));
+                                                                            let _e1287 = select(_e1285, _e1282, (_e1282 > _e1285));
+                                                                            let _e1290 = bitcast<f32>((bitcast<u32>(_e1147.z) & 2147483647u));
+                                                                            let _e1294 = (bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u)) > ((0.0000038146973f * select(_e1276, _e1273, (_e1273 > _e1276))) * select(_e1290, _e1287, (_e1287 > _e1290))));
+                                                                            if _e1294 {
+                                                                                phi_1845_ = (_e1187 / _e1192);
                                                                             } else {
-                                                                                phi_1623_ = f32();
+                                                                                phi_1845_ = f32();
                                                                             }
-                                                                            let _e1138 = phi_1623_;
-                                                                            phi_1625_ = _e1138;
-                                                                            phi_1626_ = select(true, false, _e1135);
+                                                                            let _e1297 = phi_1845_;
+                                                                            phi_1847_ = _e1297;
+                                                                            phi_1848_ = select(true, false, _e1294);
                                                                         } else {
-                                                                            phi_1625_ = f32();
-                                                                            phi_1626_ = true;
+                                                                            phi_1847_ = f32();
+                                                                            phi_1848_ = true;
                                                                         }
-                                                                        let _e1141 = phi_1625_;
-                                                                        let _e1143 = phi_1626_;
-                                                                        if _e1143 {
-                                                                            let _e1151 = (((_e999 * (_e1060 - (_e269 * _e1063))) + (_e1004 * (_e1061 - (_e307 * _e1063)))) / _e1033);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1151) & 2147483647u)) <= _e965) {
-                                                                                phi_1646_ = (_e1063 + _e1151);
+                                                                        let _e1300 = phi_1847_;
+                                                                        let _e1302 = phi_1848_;
+                                                                        if _e1302 {
+                                                                            let _e1310 = (((_e1158 * (_e1219 - (_e303 * _e1222))) + (_e1163 * (_e1220 - (_e371 * _e1222)))) / _e1192);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1310) & 2147483647u)) <= _e1124) {
+                                                                                phi_1868_ = (_e1222 + _e1310);
                                                                             } else {
-                                                                                phi_1646_ = _e1063;
+                                                                                phi_1868_ = _e1222;
                                                                             }
-                                                                            let _e1158 = phi_1646_;
-                                                                            phi_1647_ = _e1158;
+                                                                            let _e1317 = phi_1868_;
+                                                                            phi_1869_ = _e1317;
                                                                         } else {
-                                                                            phi_1647_ = _e1141;
+                                                                            phi_1869_ = _e1300;
                                                                         }
-                                                                        let _e1160 = phi_1647_;
-                                                                        let _e1162 = select(_e898, _e1160, (_e1160 < _e898));
-                                                                        let _e1164 = select(_e890, _e1162, (_e1162 > _e890));
-                                                                        if (_e1164 >= _e395) {
-                                                                            let _e1166 = (_e1164 <= _e639.member.member_1);
-                                                                            if _e1166 {
-                                                                                let _e1167 = (1f / _e817);
-                                                                                phi_1670_ = type_27(_e1164, (_e811 * _e1167), (_e815 * _e1167), _e674);
+                                                                        let _e1319 = phi_1869_;
+                                                                        let _e1321 = select(_e1057, _e1319, (_e1319 < _e1057));
+                                                                        let _e1323 = select(_e1049, _e1321, (_e1321 > _e1049));
+                                                                        if (_e1323 >= _e554) {
+                                                                            let _e1325 = (_e1323 <= _e798.member.member_1);
+                                                                            if _e1325 {
+                                                                                let _e1326 = (1f / _e976);
+                                                                                phi_1892_ = type_27(_e1323, (_e970 * _e1326), (_e974 * _e1326), _e833);
                                                                             } else {
-                                                                                phi_1670_ = type_27();
+                                                                                phi_1892_ = type_27();
                                                                             }
-                                                                            let _e1172 = phi_1670_;
-                                                                            phi_1672_ = _e1172;
-                                                                            phi_1673_ = select(true, false, _e1166);
+                                                                            let _e1331 = phi_1892_;
+                                                                            phi_1894_ = _e1331;
+                                                                            phi_1895_ = select(true, false, _e1325);
                                                                         } else {
-                                                                            phi_1672_ = type_27();
-                                                                            phi_1673_ = true;
+                                                                            phi_1894_ = type_27();
+                                                                            phi_1895_ = true;
                                                                         }
-                                                                        let _e1175 = phi_1672_;
-                                                                        let _e1177 = phi_1673_;
-                                                                        if _e1177 {
-                                                                            phi_1677_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1334 = phi_1894_;
+                                                                        let _e1336 = phi_1895_;
+                                                                        if _e1336 {
+                                                                            phi_1899_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1677_ = _e1175;
+                                                                            phi_1899_ = _e1334;
                                                                         }
-                                                                        let _e1179 = phi_1677_;
-                                                                        phi_1678_ = _e1179;
+                                                                        let _e1338 = phi_1899_;
+                                                                        phi_1900_ = _e1338;
                                                                     }
-                                                                    let _e1181 = phi_1678_;
-                                                                    phi_1679_ = _e1181;
-                                                                    phi_1680_ = _e907;
+                                                                    let _e1340 = phi_1900_;
+                                                                    phi_1901_ = _e1340;
+                                                                    phi_1902_ = _e1066;
                                                                 }
-                                                                let _e1183 = phi_1679_;
-                                                                let _e1185 = phi_1680_;
-                                                                phi_1684_ = _e1183;
-                                                                phi_1685_ = _e1185;
+                                                                let _e1342 = phi_1901_;
+                                                                let _e1344 = phi_1902_;
+                                                                phi_1906_ = _e1342;
+                                                                phi_1907_ = _e1344;
                                                             }
-                                                            let _e1187 = phi_1684_;
-                                                            let _e1189 = phi_1685_;
-                                                            phi_1686_ = _e1187;
-                                                            phi_1687_ = _e842;
-                                                            phi_1688_ = _e1189;
+                                                            let _e1346 = phi_1906_;
+                                                            let _e1348 = phi_1907_;
+                                                            phi_1908_ = _e1346;
+                                                            phi_1909_ = _e1001;
+                                                            phi_1910_ = _e1348;
                                                         }
-                                                        let _e1191 = phi_1686_;
-                                                        let _e1193 = phi_1687_;
-                                                        let _e1195 = phi_1688_;
-                                                        phi_1689_ = _e1191;
-                                                        phi_1690_ = _e1193;
-                                                        phi_1691_ = _e1195;
+                                                        let _e1350 = phi_1908_;
+                                                        let _e1352 = phi_1909_;
+                                                        let _e1354 = phi_1910_;
+                                                        phi_1911_ = _e1350;
+                                                        phi_1912_ = _e1352;
+                                                        phi_1913_ = _e1354;
                                                     }
-                                                    let _e1197 = phi_1689_;
-                                                    let _e1199 = phi_1690_;
-                                                    let _e1201 = phi_1691_;
-                                                    phi_1699_ = _e1197;
-                                                    phi_1700_ = select(_e1201, true, _e1199);
+                                                    let _e1356 = phi_1911_;
+                                                    let _e1358 = phi_1912_;
+                                                    let _e1360 = phi_1913_;
+                                                    phi_1921_ = _e1356;
+                                                    phi_1922_ = select(_e1360, true, _e1358);
                                                 } else {
-                                                    phi_1699_ = type_27();
-                                                    phi_1700_ = true;
+                                                    phi_1921_ = type_27();
+                                                    phi_1922_ = true;
                                                 }
-                                                let _e1204 = phi_1699_;
-                                                let _e1206 = phi_1700_;
-                                                if _e1206 {
-                                                    phi_1704_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1363 = phi_1921_;
+                                                let _e1365 = phi_1922_;
+                                                if _e1365 {
+                                                    phi_1926_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1704_ = _e1204;
+                                                    phi_1926_ = _e1363;
                                                 }
-                                                let _e1208 = phi_1704_;
-                                                if (_e1208.member_3 != 4294967295u) {
-                                                    if (_e674 != 4294967295u) {
-                                                        if (_e1208.member < _e639.member.member.member) {
-                                                            phi_1730_ = true;
+                                                let _e1367 = phi_1926_;
+                                                if (_e1367.member_3 != 4294967295u) {
+                                                    if (_e833 != 4294967295u) {
+                                                        if (_e1367.member < _e798.member.member.member) {
+                                                            phi_1952_ = true;
                                                         } else {
-                                                            if (_e1208.member == _e639.member.member.member) {
-                                                                phi_1729_ = (_e1208.member_3 < _e639.member.member.member_3);
+                                                            if (_e1367.member == _e798.member.member.member) {
+                                                                phi_1951_ = (_e1367.member_3 < _e798.member.member.member_3);
                                                             } else {
-                                                                phi_1729_ = false;
+                                                                phi_1951_ = false;
                                                             }
-                                                            let _e1223 = phi_1729_;
-                                                            phi_1730_ = _e1223;
+                                                            let _e1382 = phi_1951_;
+                                                            phi_1952_ = _e1382;
                                                         }
-                                                        let _e1225 = phi_1730_;
-                                                        if _e1225 {
-                                                            phi_1737_ = type_48(type_39(_e1208, _e1208.member), _e666.member_1, _e666.member_2);
+                                                        let _e1384 = phi_1952_;
+                                                        if _e1384 {
+                                                            phi_1959_ = type_48(type_39(_e1367, _e1367.member), _e825.member_1, _e825.member_2);
                                                         } else {
-                                                            phi_1737_ = _e666;
+                                                            phi_1959_ = _e825;
                                                         }
-                                                        let _e1232 = phi_1737_;
-                                                        phi_1738_ = _e1232;
+                                                        let _e1391 = phi_1959_;
+                                                        phi_1960_ = _e1391;
                                                     } else {
-                                                        phi_1738_ = _e666;
+                                                        phi_1960_ = _e825;
                                                     }
-                                                    let _e1234 = phi_1738_;
-                                                    phi_1739_ = _e1234;
+                                                    let _e1393 = phi_1960_;
+                                                    phi_1961_ = _e1393;
                                                 } else {
-                                                    phi_1739_ = _e666;
+                                                    phi_1961_ = _e825;
                                                 }
-                                                let _e1236 = phi_1739_;
-                                                phi_726_ = _e1236;
+                                                let _e1395 = phi_1961_;
+                                                phi_948_ = _e1395;
                                             } else {
-                                                phi_726_ = type_48();
+                                                phi_948_ = type_48();
                                             }
-                                            let _e1238 = phi_726_;
+                                            let _e1397 = phi_948_;
                                             continue;
                                             continuing {
-                                                phi_725_ = _e1238;
-                                                phi_728_ = _e654;
-                                                phi_2240_ = _e404;
-                                                break if !(_e660);
+                                                phi_947_ = _e1397;
+                                                phi_950_ = _e813;
+                                                phi_2462_ = _e563;
+                                                break if !(_e819);
                                             }
                                         }
-                                        let _e1241 = phi_2240_;
-                                        phi_2382_ = _e1241;
-                                        if _e1241 {
+                                        let _e1400 = phi_2462_;
+                                        phi_2622_ = _e1400;
+                                        if _e1400 {
                                             break;
                                         }
-                                        phi_2386_ = _e1241;
-                                        let _e1406 = local_4;
-                                        phi_2197_ = _e1406;
-                                        phi_2198_ = _e430;
-                                        phi_2199_ = false;
-                                        phi_2200_ = _e434;
+                                        phi_2626_ = _e1400;
+                                        let _e1571 = local_4;
+                                        phi_2419_ = _e1571;
+                                        phi_2420_ = _e589;
+                                        phi_2421_ = false;
+                                        phi_2422_ = _e593;
                                     } else {
-                                        if (_e430 >= _e67) {
-                                            phi_1802_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e589 >= _e71) {
+                                            phi_2024_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e430 < _e67) {
+                                            if (_e589 < _e71) {
                                             } else {
-                                                phi_2382_ = true;
+                                                phi_2622_ = true;
                                                 break;
                                             }
-                                            let _e450 = (_e195 % 3u);
-                                            if (_e450 < 3u) {
+                                            let _e609 = (_e199 % 3u);
+                                            if (_e609 < 3u) {
                                             } else {
-                                                phi_2382_ = true;
+                                                phi_2622_ = true;
                                                 break;
                                             }
-                                            let _e456 = global_2.member[_e430].member[_e450];
-                                            let _e462 = (_e194 % 3u);
-                                            if (_e462 < 3u) {
+                                            let _e615 = global_2.member[_e589].member[_e609];
+                                            let _e621 = (_e198 % 3u);
+                                            if (_e621 < 3u) {
                                             } else {
-                                                phi_2382_ = true;
+                                                phi_2622_ = true;
                                                 break;
                                             }
-                                            let _e468 = global_2.member[_e430].member[_e462];
-                                            let _e474 = (_e196 % 3u);
-                                            if (_e474 < 3u) {
+                                            let _e627 = global_2.member[_e589].member[_e621];
+                                            let _e633 = (_e200 % 3u);
+                                            if (_e633 < 3u) {
                                             } else {
-                                                phi_2382_ = true;
+                                                phi_2622_ = true;
                                                 break;
                                             }
-                                            let _e480 = global_2.member[_e430].member[_e474];
-                                            let _e490 = global_2.member[_e430].member_1;
-                                            let _e494 = global_2.member[_e430].member_2;
-                                            phi_1802_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e456[0], _e456[1], _e456[2], _e456[3]), vec4<f32>(_e468[0], _e468[1], _e468[2], _e468[3]), vec4<f32>(_e480[0], _e480[1], _e480[2], _e480[3])), _e490, _e494);
+                                            let _e639 = global_2.member[_e589].member[_e633];
+                                            let _e649 = global_2.member[_e589].member_1;
+                                            let _e653 = global_2.member[_e589].member_2;
+                                            phi_2024_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e615[0], _e615[1], _e615[2], _e615[3]), vec4<f32>(_e627[0], _e627[1], _e627[2], _e627[3]), vec4<f32>(_e639[0], _e639[1], _e639[2], _e639[3])), _e649, _e653);
                                         }
-                                        let _e497 = phi_1802_;
-                                        let _e510 = ((_e497.member[0].x - _e267) * _e272);
-                                        let _e511 = ((_e497.member[0].y - _e267) * _e272);
-                                        let _e512 = ((_e497.member[0].z - _e268) * _e272);
-                                        let _e513 = ((_e497.member[0].w - _e268) * _e272);
-                                        let _e523 = ((_e497.member[1].x - _e305) * _e310);
-                                        let _e524 = ((_e497.member[1].y - _e305) * _e310);
-                                        let _e525 = ((_e497.member[1].z - _e306) * _e310);
-                                        let _e526 = ((_e497.member[1].w - _e306) * _e310);
-                                        let _e536 = ((_e497.member[2].x - _e343) * _e348);
-                                        let _e537 = ((_e497.member[2].y - _e343) * _e348);
-                                        let _e538 = ((_e497.member[2].z - _e344) * _e348);
-                                        let _e539 = ((_e497.member[2].w - _e344) * _e348);
-                                        let _e541 = select(_e538, _e536, (_e536 < _e538));
-                                        let _e543 = select(_e539, _e537, (_e537 < _e539));
-                                        let _e545 = select(_e538, _e536, (_e536 > _e538));
-                                        let _e547 = select(_e539, _e537, (_e537 > _e539));
-                                        let _e549 = select(_e512, _e510, (_e510 < _e512));
-                                        let _e551 = select(_e513, _e511, (_e511 < _e513));
-                                        let _e553 = select(_e525, _e523, (_e523 < _e525));
-                                        let _e555 = select(_e526, _e524, (_e524 < _e526));
-                                        let _e557 = select(_e553, _e549, (_e549 > _e553));
-                                        let _e559 = select(_e555, _e551, (_e551 > _e555));
-                                        let _e561 = select(_e541, _e557, (_e557 > _e541));
-                                        let _e563 = select(_e543, _e559, (_e559 > _e543));
-                                        let _e565 = select(_e512, _e510, (_e510 > _e512));
-                                        let _e567 = select(_e513, _e511, (_e511 > _e513));
-                                        let _e569 = select(_e525, _e523, (_e523 > _e525));
-                                        let _e571 = select(_e526, _e524, (_e524 > _e526));
-                                        let _e573 = select(_e569, _e565, (_e565 < _e569));
-                                        let _e575 = select(_e571, _e567, (_e567 < _e571));
-                                        let _e580 = -(_e541);
-                                        let _e581 = -(_e543);
-                                        let _e588 = (select(_e545, _e573, (_e573 < _e545)) + (select(_e580, _e545, (_e545 > _e580)) * 0.0000019073523f));
-                                        let _e589 = (select(_e547, _e575, (_e575 < _e547)) + (select(_e581, _e547, (_e547 > _e581)) * 0.0000019073523f));
-                                        let _e591 = select(_e395, _e561, (_e561 > _e395));
-                                        let _e593 = select(_e395, _e563, (_e563 > _e395));
-                                        let _e598 = (_e591 <= select(_e406.member.member_1, _e588, (_e588 < _e406.member.member_1)));
-                                        let _e599 = (_e593 <= select(_e406.member.member_1, _e589, (_e589 < _e406.member.member_1)));
-                                        let _e600 = (_e591 <= _e593);
-                                        if _e598 {
-                                            if _e599 {
-                                                if _e600 {
-                                                    phi_2146_ = _e497.member_2;
+                                        let _e656 = phi_2024_;
+                                        let _e669 = ((_e656.member[0].x - _e301) * _e306);
+                                        let _e670 = ((_e656.member[0].y - _e301) * _e306);
+                                        let _e671 = ((_e656.member[0].z - _e302) * _e306);
+                                        let _e672 = ((_e656.member[0].w - _e302) * _e306);
+                                        let _e682 = ((_e656.member[1].x - _e369) * _e374);
+                                        let _e683 = ((_e656.member[1].y - _e369) * _e374);
+                                        let _e684 = ((_e656.member[1].z - _e370) * _e374);
+                                        let _e685 = ((_e656.member[1].w - _e370) * _e374);
+                                        let _e695 = ((_e656.member[2].x - _e437) * _e442);
+                                        let _e696 = ((_e656.member[2].y - _e437) * _e442);
+                                        let _e697 = ((_e656.member[2].z - _e438) * _e442);
+                                        let _e698 = ((_e656.member[2].w - _e438) * _e442);
+                                        let _e700 = select(_e697, _e695, (_e695 < _e697));
+                                        let _e702 = select(_e698, _e696, (_e696 < _e698));
+                                        let _e704 = select(_e697, _e695, (_e695 > _e697));
+                                        let _e706 = select(_e698, _e696, (_e696 > _e698));
+                                        let _e708 = select(_e671, _e669, (_e669 < _e671));
+                                        let _e710 = select(_e672, _e670, (_e670 < _e672));
+                                        let _e712 = select(_e684, _e682, (_e682 < _e684));
+                                        let _e714 = select(_e685, _e683, (_e683 < _e685));
+                                        let _e716 = select(_e712, _e708, (_e708 > _e712));
+                                        let _e718 = select(_e714, _e710, (_e710 > _e714));
+                                        let _e720 = select(_e700, _e716, (_e716 > _e700));
+                                        let _e722 = select(_e702, _e718, (_e718 > _e702));
+                                        let _e724 = select(_e671, _e669, (_e669 > _e671));
+                                        let _e726 = select(_e672, _e670, (_e670 > _e672));
+                                        let _e728 = select(_e684, _e682, (_e682 > _e684));
+                                        let _e730 = select(_e685, _e683, (_e683 > _e685));
+                                        let _e732 = select(_e728, _e724, (_e724 < _e728));
+                                        let _e734 = select(_e730, _e726, (_e726 < _e730));
+                                        let _e739 = -(_e700);
+                                        let _e740 = -(_e702);
+                                        let _e747 = (select(_e704, _e732, (_e732 < _e704)) + (select(_e739, _e704, (_e704 > _e739)) * 0.0000019073523f));
+                                        let _e748 = (select(_e706, _e734, (_e734 < _e706)) + (select(_e740, _e706, (_e706 > _e740)) * 0.0000019073523f));
+                                        let _e750 = select(_e554, _e720, (_e720 > _e554));
+                                        let _e752 = select(_e554, _e722, (_e722 > _e554));
+                                        let _e757 = (_e750 <= select(_e565.member.member_1, _e747, (_e747 < _e565.member.member_1)));
+                                        let _e758 = (_e752 <= select(_e565.member.member_1, _e748, (_e748 < _e565.member.member_1)));
+                                        let _e759 = (_e750 <= _e752);
+                                        if _e757 {
+                                            if _e758 {
+                                                if _e759 {
+                                                    phi_2368_ = _e656.member_2;
                                                 } else {
-                                                    phi_2146_ = _e497.member_1;
+                                                    phi_2368_ = _e656.member_1;
                                                 }
-                                                let _e604 = phi_2146_;
-                                                let _e607 = (_e434 % 128u);
-                                                let _e608 = (_e607 < 128u);
-                                                if _e608 {
+                                                let _e763 = phi_2368_;
+                                                let _e766 = (_e593 % 128u);
+                                                let _e767 = (_e766 < 128u);
+                                                if _e767 {
                                                 } else {
-                                                    phi_2382_ = true;
+                                                    phi_2622_ = true;
                                                     break;
                                                 }
-                                                local_1[_e607] = _e604;
-                                                if _e608 {
+                                                local_1[_e766] = _e763;
+                                                if _e767 {
                                                 } else {
-                                                    phi_2382_ = true;
+                                                    phi_2622_ = true;
                                                     break;
                                                 }
-                                                local[_e607] = select(_e593, _e591, (_e591 > _e593));
-                                                if _e600 {
-                                                    phi_2174_ = _e497.member_1;
+                                                local[_e766] = select(_e752, _e750, (_e750 > _e752));
+                                                if _e759 {
+                                                    phi_2396_ = _e656.member_1;
                                                 } else {
-                                                    phi_2174_ = _e497.member_2;
+                                                    phi_2396_ = _e656.member_2;
                                                 }
-                                                let _e615 = phi_2174_;
-                                                phi_2175_ = _e615;
-                                                phi_2176_ = (_e434 + 1u);
+                                                let _e774 = phi_2396_;
+                                                phi_2397_ = _e774;
+                                                phi_2398_ = (_e593 + 1u);
                                             } else {
-                                                phi_2175_ = u32();
-                                                phi_2176_ = u32();
+                                                phi_2397_ = u32();
+                                                phi_2398_ = u32();
                                             }
-                                            let _e617 = phi_2175_;
-                                            let _e619 = phi_2176_;
-                                            phi_2178_ = _e617;
-                                            phi_2179_ = _e619;
-                                            phi_2180_ = select(true, false, _e599);
+                                            let _e776 = phi_2397_;
+                                            let _e778 = phi_2398_;
+                                            phi_2400_ = _e776;
+                                            phi_2401_ = _e778;
+                                            phi_2402_ = select(true, false, _e758);
                                         } else {
-                                            phi_2178_ = u32();
-                                            phi_2179_ = u32();
-                                            phi_2180_ = true;
+                                            phi_2400_ = u32();
+                                            phi_2401_ = u32();
+                                            phi_2402_ = true;
                                         }
-                                        let _e622 = phi_2178_;
-                                        let _e624 = phi_2179_;
-                                        let _e626 = phi_2180_;
-                                        if _e626 {
-                                            if _e598 {
-                                                phi_2189_ = _e497.member_1;
+                                        let _e781 = phi_2400_;
+                                        let _e783 = phi_2401_;
+                                        let _e785 = phi_2402_;
+                                        if _e785 {
+                                            if _e757 {
+                                                phi_2411_ = _e656.member_1;
                                             } else {
-                                                phi_2189_ = _e497.member_2;
+                                                phi_2411_ = _e656.member_2;
                                             }
-                                            let _e630 = phi_2189_;
-                                            phi_2194_ = _e630;
-                                            phi_2195_ = select(_e599, true, _e598);
+                                            let _e789 = phi_2411_;
+                                            phi_2416_ = _e789;
+                                            phi_2417_ = select(_e758, true, _e757);
                                         } else {
-                                            phi_2194_ = _e622;
-                                            phi_2195_ = _e432;
+                                            phi_2416_ = _e781;
+                                            phi_2417_ = _e591;
                                         }
-                                        let _e633 = phi_2194_;
-                                        let _e635 = phi_2195_;
-                                        phi_2386_ = _e404;
-                                        phi_2197_ = type_48(_e406.member, (_e406.member_1 + 1u), _e406.member_2);
-                                        phi_2198_ = _e633;
-                                        phi_2199_ = _e635;
-                                        phi_2200_ = select(_e624, _e434, _e626);
+                                        let _e792 = phi_2416_;
+                                        let _e794 = phi_2417_;
+                                        phi_2626_ = _e563;
+                                        phi_2419_ = type_48(_e565.member, (_e565.member_1 + 1u), _e565.member_2);
+                                        phi_2420_ = _e792;
+                                        phi_2421_ = _e794;
+                                        phi_2422_ = select(_e783, _e593, _e785);
                                     }
-                                    let _e1243 = phi_2386_;
-                                    let _e1245 = phi_2197_;
-                                    let _e1247 = phi_2198_;
-                                    let _e1249 = phi_2199_;
-                                    let _e1251 = phi_2200_;
-                                    phi_2385_ = _e1243;
-                                    phi_2201_ = _e1245;
-                                    phi_2202_ = _e1247;
-                                    phi_2203_ = (_e410 - 1u);
-                                    phi_2204_ = _e1249;
-                                    phi_2205_ = _e1251;
+                                    let _e1402 = phi_2626_;
+                                    let _e1404 = phi_2419_;
+                                    let _e1406 = phi_2420_;
+                                    let _e1408 = phi_2421_;
+                                    let _e1410 = phi_2422_;
+                                    phi_2625_ = _e1402;
+                                    phi_2423_ = _e1404;
+                                    phi_2424_ = _e1406;
+                                    phi_2425_ = (_e569 - 1u);
+                                    phi_2426_ = _e1408;
+                                    phi_2427_ = _e1410;
                                 } else {
-                                    phi_2385_ = _e404;
-                                    phi_2201_ = _e406;
-                                    phi_2202_ = _e430;
-                                    phi_2203_ = _e410;
-                                    phi_2204_ = _e432;
-                                    phi_2205_ = _e434;
+                                    phi_2625_ = _e563;
+                                    phi_2423_ = _e565;
+                                    phi_2424_ = _e589;
+                                    phi_2425_ = _e569;
+                                    phi_2426_ = _e591;
+                                    phi_2427_ = _e593;
                                 }
-                                let _e1253 = phi_2385_;
-                                let _e1255 = phi_2201_;
-                                let _e1257 = phi_2202_;
-                                let _e1259 = phi_2203_;
-                                let _e1261 = phi_2204_;
-                                let _e1263 = phi_2205_;
-                                phi_2384_ = _e1253;
-                                phi_2206_ = _e1255;
-                                phi_2207_ = _e1257;
-                                phi_2208_ = _e1259;
-                                phi_2209_ = _e1261;
-                                phi_2210_ = _e1263;
+                                let _e1412 = phi_2625_;
+                                let _e1414 = phi_2423_;
+                                let _e1416 = phi_2424_;
+                                let _e1418 = phi_2425_;
+                                let _e1420 = phi_2426_;
+                                let _e1422 = phi_2427_;
+                                phi_2624_ = _e1412;
+                                phi_2428_ = _e1414;
+                                phi_2429_ = _e1416;
+                                phi_2430_ = _e1418;
+                                phi_2431_ = _e1420;
+                                phi_2432_ = _e1422;
                             } else {
-                                phi_2384_ = _e404;
-                                phi_2206_ = type_48();
-                                phi_2207_ = u32();
-                                phi_2208_ = u32();
-                                phi_2209_ = bool();
-                                phi_2210_ = u32();
+                                phi_2624_ = _e563;
+                                phi_2428_ = type_48();
+                                phi_2429_ = u32();
+                                phi_2430_ = u32();
+                                phi_2431_ = bool();
+                                phi_2432_ = u32();
                             }
-                            let _e1265 = phi_2384_;
-                            let _e1267 = phi_2206_;
-                            let _e1269 = phi_2207_;
-                            let _e1271 = phi_2208_;
-                            let _e1273 = phi_2209_;
-                            let _e1275 = phi_2210_;
-                            phi_2383_ = _e1265;
-                            phi_657_ = _e1267;
-                            phi_660_ = _e1269;
-                            phi_662_ = _e1271;
-                            phi_664_ = _e1273;
-                            phi_666_ = _e1275;
-                            phi_2211_ = _e418;
+                            let _e1424 = phi_2624_;
+                            let _e1426 = phi_2428_;
+                            let _e1428 = phi_2429_;
+                            let _e1430 = phi_2430_;
+                            let _e1432 = phi_2431_;
+                            let _e1434 = phi_2432_;
+                            phi_2623_ = _e1424;
+                            phi_879_ = _e1426;
+                            phi_882_ = _e1428;
+                            phi_884_ = _e1430;
+                            phi_886_ = _e1432;
+                            phi_888_ = _e1434;
+                            phi_2433_ = _e577;
                         } else {
-                            phi_2383_ = _e404;
-                            phi_657_ = type_48();
-                            phi_660_ = u32();
-                            phi_662_ = u32();
-                            phi_664_ = bool();
-                            phi_666_ = u32();
-                            phi_2211_ = false;
+                            phi_2623_ = _e563;
+                            phi_879_ = type_48();
+                            phi_882_ = u32();
+                            phi_884_ = u32();
+                            phi_886_ = bool();
+                            phi_888_ = u32();
+                            phi_2433_ = false;
                         }
-                        let _e1277 = phi_2383_;
-                        let _e1279 = phi_657_;
-                        let _e1281 = phi_660_;
-                        let _e1283 = phi_662_;
-                        let _e1285 = phi_664_;
-                        let _e1287 = phi_666_;
-                        let _e1289 = phi_2211_;
+                        let _e1436 = phi_2623_;
+                        let _e1438 = phi_879_;
+                        let _e1440 = phi_882_;
+                        let _e1442 = phi_884_;
+                        let _e1444 = phi_886_;
+                        let _e1446 = phi_888_;
+                        let _e1448 = phi_2433_;
                         continue;
                         continuing {
-                            phi_2246_ = _e1277;
-                            phi_656_ = _e1279;
-                            phi_659_ = _e1281;
-                            phi_661_ = _e1283;
-                            phi_663_ = _e1285;
-                            phi_665_ = _e1287;
-                            phi_2382_ = _e1277;
-                            break if !(_e1289);
+                            phi_2468_ = _e1436;
+                            phi_878_ = _e1438;
+                            phi_881_ = _e1440;
+                            phi_883_ = _e1442;
+                            phi_885_ = _e1444;
+                            phi_887_ = _e1446;
+                            phi_2622_ = _e1436;
+                            break if !(_e1448);
                         }
                     }
-                    let _e1292 = phi_2382_;
-                    if _e1292 {
+                    let _e1451 = phi_2622_;
+                    if _e1451 {
                         break;
                     }
-                    let _e1294 = local_2;
-                    let _e1297 = local_3;
-                    if _e83 {
+                    let _e1453 = local_2;
+                    let _e1456 = local_3;
+                    if _e87 {
                     } else {
                         break;
                     }
-                    global_5.member[_e77][0u] = _e1294.member_1;
-                    global_5.member[_e77][1u] = _e1297.member_2;
+                    global_5.member[_e81][0u] = _e1453.member_1;
+                    global_5.member[_e81][1u] = _e1456.member_2;
                 }
             }
             break;

@@ -99,393 +99,453 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_334_: i32;
-    var phi_335_: i32;
-    var phi_345_: bool;
-    var phi_355_: u32;
-    var phi_356_: u32;
-    var phi_358_: bool;
-    var phi_363_: u32;
-    var phi_375_: i32;
-    var phi_395_: i32;
-    var phi_413_: f32;
-    var phi_419_: f32;
-    var phi_430_: f32;
-    var phi_436_: f32;
-    var phi_459_: f32;
-    var phi_470_: f32;
-    var phi_479_: f32;
-    var phi_485_: f32;
-    var phi_496_: f32;
-    var phi_502_: f32;
-    var phi_525_: f32;
-    var phi_536_: f32;
+    var phi_336_: i32;
+    var phi_337_: i32;
+    var phi_347_: bool;
+    var phi_357_: u32;
+    var phi_358_: u32;
+    var phi_360_: bool;
+    var phi_365_: u32;
+    var phi_377_: i32;
+    var phi_397_: i32;
+    var phi_415_: f32;
+    var phi_421_: f32;
+    var phi_461_: f32;
+    var phi_467_: f32;
+    var phi_519_: f32;
+    var phi_530_: f32;
+    var phi_539_: f32;
     var phi_545_: f32;
-    var phi_551_: f32;
-    var phi_562_: f32;
-    var phi_568_: f32;
+    var phi_585_: f32;
     var phi_591_: f32;
-    var phi_602_: f32;
-    var phi_702_: f32;
-    var phi_703_: f32;
-    var phi_3110_: bool;
-    var phi_777_: type_33;
-    var phi_780_: type_50;
-    var phi_782_: u32;
-    var phi_784_: bool;
-    var phi_786_: u32;
-    var phi_797_: bool;
-    var phi_883_: type_50;
-    var phi_884_: bool;
-    var phi_885_: u32;
-    var phi_2106_: type_37;
-    var phi_2938_: type_50;
-    var phi_3015_: type_50;
-    var phi_3016_: type_50;
-    var phi_3017_: u32;
-    var phi_3019_: type_50;
-    var phi_3020_: u32;
-    var phi_3021_: bool;
-    var phi_3028_: type_50;
-    var phi_3033_: type_50;
-    var phi_3034_: bool;
-    var phi_904_: type_33;
-    var phi_907_: type_4;
-    var phi_908_: type_4;
-    var phi_930_: type_4;
-    var phi_958_: u32;
-    var phi_974_: type_44;
-    var phi_1350_: bool;
-    var phi_1379_: bool;
-    var phi_1756_: f32;
-    var phi_1757_: f32;
-    var phi_1758_: f32;
-    var phi_1759_: f32;
-    var phi_1760_: vec3<f32>;
-    var phi_1761_: vec3<f32>;
-    var phi_1762_: vec3<f32>;
-    var phi_1763_: vec3<f32>;
-    var phi_1794_: bool;
-    var phi_1803_: vec3<f32>;
-    var phi_1968_: f32;
-    var phi_1970_: f32;
-    var phi_1971_: bool;
-    var phi_1991_: f32;
-    var phi_1992_: f32;
-    var phi_2015_: type_21;
-    var phi_2017_: type_21;
-    var phi_2018_: bool;
-    var phi_2022_: type_21;
-    var phi_2023_: type_21;
-    var phi_2024_: type_21;
-    var phi_2025_: bool;
-    var phi_2029_: type_21;
-    var phi_2030_: bool;
-    var phi_2031_: type_21;
-    var phi_2032_: bool;
-    var phi_2033_: bool;
-    var phi_2034_: type_21;
-    var phi_2035_: bool;
-    var phi_2036_: bool;
-    var phi_2044_: type_21;
-    var phi_2045_: bool;
-    var phi_2049_: type_21;
-    var phi_2074_: bool;
-    var phi_2075_: bool;
-    var phi_2082_: type_33;
-    var phi_2083_: type_33;
-    var phi_2084_: type_33;
-    var phi_905_: type_33;
-    var phi_3104_: bool;
-    var phi_3268_: bool;
-    var phi_3036_: type_33;
-    var phi_3037_: type_50;
-    var phi_3038_: bool;
-    var phi_3039_: u32;
-    var phi_3267_: bool;
-    var phi_3040_: type_33;
-    var phi_3041_: type_50;
-    var phi_3042_: u32;
-    var phi_3043_: bool;
-    var phi_3044_: u32;
-    var phi_3266_: bool;
-    var phi_3045_: type_33;
-    var phi_3046_: type_50;
-    var phi_3047_: u32;
-    var phi_3048_: bool;
-    var phi_3049_: u32;
-    var phi_3265_: bool;
-    var phi_778_: type_33;
-    var phi_781_: type_50;
-    var phi_783_: u32;
-    var phi_785_: bool;
-    var phi_787_: u32;
-    var phi_3050_: bool;
-    var phi_3264_: bool;
+    var phi_643_: f32;
+    var phi_654_: f32;
+    var phi_663_: f32;
+    var phi_669_: f32;
+    var phi_709_: f32;
+    var phi_715_: f32;
+    var phi_767_: f32;
+    var phi_778_: f32;
+    var phi_833_: i32;
+    var phi_855_: u32;
+    var phi_856_: u32;
+    var phi_893_: i32;
+    var phi_915_: u32;
+    var phi_916_: u32;
+    var phi_924_: f32;
+    var phi_925_: f32;
+    var phi_3374_: bool;
+    var phi_999_: type_33;
+    var phi_1002_: type_50;
+    var phi_1004_: u32;
+    var phi_1006_: bool;
+    var phi_1008_: u32;
+    var phi_1019_: bool;
+    var phi_1105_: type_50;
+    var phi_1106_: bool;
+    var phi_1107_: u32;
+    var phi_2346_: type_37;
+    var phi_3202_: type_50;
+    var phi_3279_: type_50;
+    var phi_3280_: type_50;
+    var phi_3281_: u32;
+    var phi_3283_: type_50;
+    var phi_3284_: u32;
+    var phi_3285_: bool;
+    var phi_3292_: type_50;
+    var phi_3297_: type_50;
+    var phi_3298_: bool;
+    var phi_1126_: type_33;
+    var phi_1129_: type_4;
+    var phi_1130_: type_4;
+    var phi_1152_: type_4;
+    var phi_1180_: u32;
+    var phi_1196_: type_44;
+    var phi_1590_: bool;
+    var phi_1619_: bool;
+    var phi_1996_: f32;
+    var phi_1997_: f32;
+    var phi_1998_: f32;
+    var phi_1999_: f32;
+    var phi_2000_: vec3<f32>;
+    var phi_2001_: vec3<f32>;
+    var phi_2002_: vec3<f32>;
+    var phi_2003_: vec3<f32>;
+    var phi_2034_: bool;
+    var phi_2043_: vec3<f32>;
+    var phi_2208_: f32;
+    var phi_2210_: f32;
+    var phi_2211_: bool;
+    var phi_2231_: f32;
+    var phi_2232_: f32;
+    var phi_2255_: type_21;
+    var phi_2257_: type_21;
+    var phi_2258_: bool;
+    var phi_2262_: type_21;
+    var phi_2263_: type_21;
+    var phi_2264_: type_21;
+    var phi_2265_: bool;
+    var phi_2269_: type_21;
+    var phi_2270_: bool;
+    var phi_2271_: type_21;
+    var phi_2272_: bool;
+    var phi_2273_: bool;
+    var phi_2274_: type_21;
+    var phi_2275_: bool;
+    var phi_2276_: bool;
+    var phi_2284_: type_21;
+    var phi_2285_: bool;
+    var phi_2289_: type_21;
+    var phi_2314_: bool;
+    var phi_2315_: bool;
+    var phi_2322_: type_33;
+    var phi_2323_: type_33;
+    var phi_2324_: type_33;
+    var phi_1127_: type_33;
+    var phi_3368_: bool;
+    var phi_3550_: bool;
+    var phi_3300_: type_33;
+    var phi_3301_: type_50;
+    var phi_3302_: bool;
+    var phi_3303_: u32;
+    var phi_3549_: bool;
+    var phi_3304_: type_33;
+    var phi_3305_: type_50;
+    var phi_3306_: u32;
+    var phi_3307_: bool;
+    var phi_3308_: u32;
+    var phi_3548_: bool;
+    var phi_3309_: type_33;
+    var phi_3310_: type_50;
+    var phi_3311_: u32;
+    var phi_3312_: bool;
+    var phi_3313_: u32;
+    var phi_3547_: bool;
+    var phi_1000_: type_33;
+    var phi_1003_: type_50;
+    var phi_1005_: u32;
+    var phi_1007_: bool;
+    var phi_1009_: u32;
+    var phi_3314_: bool;
+    var phi_3546_: bool;
     var local_10: type_33;
     var local_11: type_33;
     var local_12: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e75 = global;
-            let _e78 = arrayLength((&global_4.member));
-            let _e89 = global_2.member[0u][0u];
-            let _e93 = global_2.member[0u][1u];
-            let _e97 = global_2.member[0u][2u];
-            let _e101 = global_2.member[1u][0u];
-            let _e105 = global_2.member[1u][1u];
-            let _e109 = global_2.member[1u][2u];
-            let _e113 = global_2.member[1u][3u];
-            let _e116 = global_1.member[0u];
-            let _e117 = bitcast<i32>(_e116);
-            let _e127 = (_e75.x + (_e75.y * 2097152u));
-            let _e128 = (_e127 < arrayLength((&global_3.member)));
-            if _e128 {
-                let _e129 = (_e127 < arrayLength((&global_5.member)));
-                if _e129 {
-                    if _e128 {
+            let _e79 = global;
+            let _e82 = arrayLength((&global_4.member));
+            let _e93 = global_2.member[0u][0u];
+            let _e97 = global_2.member[0u][1u];
+            let _e101 = global_2.member[0u][2u];
+            let _e105 = global_2.member[1u][0u];
+            let _e109 = global_2.member[1u][1u];
+            let _e113 = global_2.member[1u][2u];
+            let _e117 = global_2.member[1u][3u];
+            let _e120 = global_1.member[0u];
+            let _e121 = bitcast<i32>(_e120);
+            let _e131 = (_e79.x + (_e79.y * 2097152u));
+            let _e132 = (_e131 < arrayLength((&global_3.member)));
+            if _e132 {
+                let _e133 = (_e131 < arrayLength((&global_5.member)));
+                if _e133 {
+                    if _e132 {
                     } else {
                         break;
                     }
-                    let _e137 = global_3.member[_e127].member_2[0u];
-                    let _e139 = (bitcast<u32>(_e137) & 2147483647u);
-                    let _e144 = global_3.member[_e127].member_2[1u];
-                    let _e146 = (bitcast<u32>(_e144) & 2147483647u);
-                    let _e151 = global_3.member[_e127].member_2[2u];
-                    let _e153 = (bitcast<u32>(_e151) & 2147483647u);
-                    let _e158 = global_3.member[_e127].member[0u];
-                    let _e160 = (bitcast<u32>(_e158) & 2147483647u);
-                    let _e165 = global_3.member[_e127].member[1u];
-                    let _e167 = (bitcast<u32>(_e165) & 2147483647u);
-                    let _e172 = global_3.member[_e127].member[2u];
-                    let _e174 = (bitcast<u32>(_e172) & 2147483647u);
-                    let _e176 = select(_e146, _e139, (_e146 < _e139));
-                    let _e178 = select(_e153, _e176, (_e153 < _e176));
-                    let _e180 = select(_e160, _e178, (_e160 < _e178));
-                    let _e182 = select(_e167, _e180, (_e167 < _e180));
-                    let _e184 = select(_e174, _e182, (_e174 < _e182));
-                    let _e188 = global_3.member[_e127].member_1;
-                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                    let _e197 = global_3.member[_e127].member_3;
-                    let _e203 = (((select(_e190, _e184, (_e190 < _e184)) < 2139095040u) && ((bitcast<u32>(_e197) & 2147483647u) <= 2139095040u)) && (_e178 > 0u));
-                    if _e203 {
-                        let _e206 = (bitcast<u32>(bitcast<f32>(_e178)) & 2147483647u);
-                        if (_e206 >= 8388608u) {
-                            phi_334_ = (bitcast<i32>((_e206 >> bitcast<u32>(23i))) - 127i);
+                    let _e141 = global_3.member[_e131].member_2[0u];
+                    let _e143 = (bitcast<u32>(_e141) & 2147483647u);
+                    let _e148 = global_3.member[_e131].member_2[1u];
+                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
+                    let _e155 = global_3.member[_e131].member_2[2u];
+                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                    let _e162 = global_3.member[_e131].member[0u];
+                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
+                    let _e169 = global_3.member[_e131].member[1u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e176 = global_3.member[_e131].member[2u];
+                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
+                    let _e180 = select(_e150, _e143, (_e150 < _e143));
+                    let _e182 = select(_e157, _e180, (_e157 < _e180));
+                    let _e184 = select(_e164, _e182, (_e164 < _e182));
+                    let _e186 = select(_e171, _e184, (_e171 < _e184));
+                    let _e188 = select(_e178, _e186, (_e178 < _e186));
+                    let _e192 = global_3.member[_e131].member_1;
+                    let _e193 = bitcast<u32>(_e192);
+                    let _e194 = (_e193 & 2147483647u);
+                    let _e201 = global_3.member[_e131].member_3;
+                    let _e202 = bitcast<u32>(_e201);
+                    let _e203 = (_e202 & 2147483647u);
+                    let _e207 = (((select(_e194, _e188, (_e194 < _e188)) < 2139095040u) && (_e203 <= 2139095040u)) && (_e182 > 0u));
+                    if _e207 {
+                        let _e210 = (bitcast<u32>(bitcast<f32>(_e182)) & 2147483647u);
+                        if (_e210 >= 8388608u) {
+                            phi_336_ = (bitcast<i32>((_e210 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_334_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e206)), 32u, (_e206 == 0u))));
+                            phi_336_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e210)), 32u, (_e210 == 0u))));
                         }
-                        let _e220 = phi_334_;
-                        phi_335_ = _e220;
+                        let _e224 = phi_336_;
+                        phi_337_ = _e224;
                     } else {
-                        phi_335_ = 0i;
+                        phi_337_ = 0i;
                     }
-                    let _e222 = phi_335_;
-                    let _e223 = (_e139 == _e178);
-                    if _e223 {
-                        phi_345_ = true;
+                    let _e226 = phi_337_;
+                    let _e227 = (_e143 == _e182);
+                    if _e227 {
+                        phi_347_ = true;
                     } else {
-                        phi_345_ = (_e146 == _e178);
+                        phi_347_ = (_e150 == _e182);
                     }
-                    let _e226 = phi_345_;
-                    let _e227 = select(1u, 0u, _e223);
-                    if _e226 {
-                        let _e228 = (_e227 + 1u);
-                        phi_355_ = _e228;
-                        phi_356_ = _e228;
-                        phi_358_ = select(true, false, (_e228 == 2u));
+                    let _e230 = phi_347_;
+                    let _e231 = select(1u, 0u, _e227);
+                    if _e230 {
+                        let _e232 = (_e231 + 1u);
+                        phi_357_ = _e232;
+                        phi_358_ = _e232;
+                        phi_360_ = select(true, false, (_e232 == 2u));
                     } else {
-                        phi_355_ = u32();
-                        phi_356_ = 0u;
-                        phi_358_ = true;
+                        phi_357_ = u32();
+                        phi_358_ = 0u;
+                        phi_360_ = true;
                     }
-                    let _e232 = phi_355_;
-                    let _e234 = phi_356_;
-                    let _e236 = phi_358_;
-                    if _e236 {
-                        phi_363_ = (_e234 + 1u);
+                    let _e236 = phi_357_;
+                    let _e238 = phi_358_;
+                    let _e240 = phi_360_;
+                    if _e240 {
+                        phi_365_ = (_e238 + 1u);
                     } else {
-                        phi_363_ = 0u;
+                        phi_365_ = 0u;
                     }
-                    let _e240 = phi_363_;
-                    let _e241 = select(_e232, _e234, _e236);
-                    let _e242 = select(_e227, select(2u, _e227, _e226), _e236);
-                    if (_e117 < -126i) {
-                        phi_375_ = -126i;
+                    let _e244 = phi_365_;
+                    let _e245 = select(_e236, _e238, _e240);
+                    let _e246 = select(_e231, select(2u, _e231, _e230), _e240);
+                    if (_e121 < -126i) {
+                        phi_377_ = -126i;
                     } else {
-                        phi_375_ = select(_e117, 127i, (_e117 > 127i));
+                        phi_377_ = select(_e121, 127i, (_e121 > 127i));
                     }
-                    let _e247 = phi_375_;
-                    let _e252 = bitcast<f32>((bitcast<u32>((_e247 + 127i)) << bitcast<u32>(23i)));
-                    let _e258 = bitcast<f32>((bitcast<u32>(((_e117 - _e247) + 127i)) << bitcast<u32>(23i)));
-                    let _e259 = -(_e222);
-                    if (_e259 < -126i) {
-                        phi_395_ = -126i;
+                    let _e251 = phi_377_;
+                    let _e256 = bitcast<f32>((bitcast<u32>((_e251 + 127i)) << bitcast<u32>(23i)));
+                    let _e262 = bitcast<f32>((bitcast<u32>(((_e121 - _e251) + 127i)) << bitcast<u32>(23i)));
+                    let _e263 = -(_e226);
+                    if (_e263 < -126i) {
+                        phi_397_ = -126i;
                     } else {
-                        phi_395_ = select(_e259, 127i, (_e259 > 127i));
+                        phi_397_ = select(_e263, 127i, (_e263 > 127i));
                     }
-                    let _e264 = phi_395_;
-                    let _e269 = bitcast<f32>((bitcast<u32>((_e264 + 127i)) << bitcast<u32>(23i)));
-                    let _e275 = bitcast<f32>((bitcast<u32>(((_e259 - _e264) + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = global_3.member[_e127].member;
-                    let _e280 = (_e241 == 0u);
-                    if _e280 {
-                        phi_413_ = _e279[0];
+                    let _e268 = phi_397_;
+                    let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
+                    let _e279 = bitcast<f32>((bitcast<u32>(((_e263 - _e268) + 127i)) << bitcast<u32>(23i)));
+                    let _e283 = global_3.member[_e131].member;
+                    let _e284 = (_e245 == 0u);
+                    if _e284 {
+                        phi_415_ = _e283[0];
                     } else {
-                        phi_413_ = _e279[1];
+                        phi_415_ = _e283[1];
                     }
-                    let _e284 = phi_413_;
-                    let _e285 = (_e241 == 2u);
-                    if _e285 {
-                        phi_419_ = _e279[2];
+                    let _e288 = phi_415_;
+                    let _e289 = (_e245 == 2u);
+                    if _e289 {
+                        phi_421_ = _e283[2];
                     } else {
-                        phi_419_ = _e284;
+                        phi_421_ = _e288;
                     }
-                    let _e288 = phi_419_;
-                    let _e290 = ((_e288 * _e252) * _e258);
-                    let _e291 = global_3.member[_e127].member_2;
-                    if _e280 {
-                        phi_430_ = _e291[0];
+                    let _e292 = phi_421_;
+                    let _e293 = bitcast<u32>(_e292);
+                    let _e295 = ((_e293 & 2139095040u) != 0u);
+                    let _e309 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e293 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e293 & 2147483648u))), _e292, _e295) * _e256) * select(0.00000011920929f, 1f, _e295)) * _e262);
+                    let _e310 = global_3.member[_e131].member_2;
+                    if _e284 {
+                        phi_461_ = _e310[0];
                     } else {
-                        phi_430_ = _e291[1];
+                        phi_461_ = _e310[1];
                     }
-                    let _e295 = phi_430_;
-                    if _e285 {
-                        phi_436_ = _e291[2];
+                    let _e314 = phi_461_;
+                    if _e289 {
+                        phi_467_ = _e310[2];
                     } else {
-                        phi_436_ = _e295;
+                        phi_467_ = _e314;
                     }
-                    let _e298 = phi_436_;
-                    let _e300 = ((_e298 * _e269) * _e275);
-                    let _e304 = (bitcast<f32>((bitcast<u32>(_e300) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e304 {
-                        let _e308 = (bitcast<f32>((bitcast<u32>(_e290) & 2147483647u)) * 0.00000011920929f);
-                        phi_459_ = select(0.00000000000011368684f, _e308, (_e308 > 0.00000000000011368684f));
+                    let _e317 = phi_467_;
+                    let _e318 = bitcast<u32>(_e317);
+                    let _e320 = ((_e318 & 2139095040u) != 0u);
+                    let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e273) * select(0.00000011920929f, 1f, _e320)) * _e279);
+                    let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e338 {
+                        let _e342 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
+                        phi_519_ = select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f));
                     } else {
-                        phi_459_ = 0f;
+                        phi_519_ = 0f;
                     }
-                    let _e312 = phi_459_;
-                    let _e313 = (_e290 + _e312);
-                    let _e314 = (_e290 - _e312);
-                    let _e315 = select(_e300, 0f, _e304);
-                    if _e304 {
-                        phi_470_ = 38685626000000000000000000f;
+                    let _e346 = phi_519_;
+                    let _e347 = (_e309 + _e346);
+                    let _e348 = (_e309 - _e346);
+                    let _e349 = select(_e334, 0f, _e338);
+                    if _e338 {
+                        phi_530_ = 38685626000000000000000000f;
                     } else {
-                        phi_470_ = (1f / _e300);
+                        phi_530_ = (1f / _e334);
                     }
-                    let _e318 = phi_470_;
-                    let _e319 = (_e240 == 0u);
-                    if _e319 {
-                        phi_479_ = _e279[0];
+                    let _e352 = phi_530_;
+                    let _e353 = (_e244 == 0u);
+                    if _e353 {
+                        phi_539_ = _e283[0];
                     } else {
-                        phi_479_ = _e279[1];
+                        phi_539_ = _e283[1];
                     }
-                    let _e323 = phi_479_;
-                    let _e324 = (_e240 == 2u);
-                    if _e324 {
-                        phi_485_ = _e279[2];
+                    let _e357 = phi_539_;
+                    let _e358 = (_e244 == 2u);
+                    if _e358 {
+                        phi_545_ = _e283[2];
                     } else {
-                        phi_485_ = _e323;
-                    }
-                    let _e327 = phi_485_;
-                    let _e329 = ((_e327 * _e252) * _e258);
-                    if _e319 {
-                        phi_496_ = _e291[0];
-                    } else {
-                        phi_496_ = _e291[1];
-                    }
-                    let _e333 = phi_496_;
-                    if _e324 {
-                        phi_502_ = _e291[2];
-                    } else {
-                        phi_502_ = _e333;
-                    }
-                    let _e336 = phi_502_;
-                    let _e338 = ((_e336 * _e269) * _e275);
-                    let _e342 = (bitcast<f32>((bitcast<u32>(_e338) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e342 {
-                        let _e346 = (bitcast<f32>((bitcast<u32>(_e329) & 2147483647u)) * 0.00000011920929f);
-                        phi_525_ = select(0.00000000000011368684f, _e346, (_e346 > 0.00000000000011368684f));
-                    } else {
-                        phi_525_ = 0f;
-                    }
-                    let _e350 = phi_525_;
-                    let _e351 = (_e329 + _e350);
-                    let _e352 = (_e329 - _e350);
-                    let _e353 = select(_e338, 0f, _e342);
-                    if _e342 {
-                        phi_536_ = 38685626000000000000000000f;
-                    } else {
-                        phi_536_ = (1f / _e338);
-                    }
-                    let _e356 = phi_536_;
-                    let _e357 = (_e242 == 0u);
-                    if _e357 {
-                        phi_545_ = _e279[0];
-                    } else {
-                        phi_545_ = _e279[1];
+                        phi_545_ = _e357;
                     }
                     let _e361 = phi_545_;
-                    let _e362 = (_e242 == 2u);
-                    if _e362 {
-                        phi_551_ = _e279[2];
+                    let _e362 = bitcast<u32>(_e361);
+                    let _e364 = ((_e362 & 2139095040u) != 0u);
+                    let _e378 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e362 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e362 & 2147483648u))), _e361, _e364) * _e256) * select(0.00000011920929f, 1f, _e364)) * _e262);
+                    if _e353 {
+                        phi_585_ = _e310[0];
                     } else {
-                        phi_551_ = _e361;
+                        phi_585_ = _e310[1];
                     }
-                    let _e365 = phi_551_;
-                    let _e367 = ((_e365 * _e252) * _e258);
-                    if _e357 {
-                        phi_562_ = _e291[0];
+                    let _e382 = phi_585_;
+                    if _e358 {
+                        phi_591_ = _e310[2];
                     } else {
-                        phi_562_ = _e291[1];
+                        phi_591_ = _e382;
                     }
-                    let _e371 = phi_562_;
-                    if _e362 {
-                        phi_568_ = _e291[2];
+                    let _e385 = phi_591_;
+                    let _e386 = bitcast<u32>(_e385);
+                    let _e388 = ((_e386 & 2139095040u) != 0u);
+                    let _e402 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e386 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e386 & 2147483648u))), _e385, _e388) * _e273) * select(0.00000011920929f, 1f, _e388)) * _e279);
+                    let _e406 = (bitcast<f32>((bitcast<u32>(_e402) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e406 {
+                        let _e410 = (bitcast<f32>((bitcast<u32>(_e378) & 2147483647u)) * 0.00000011920929f);
+                        phi_643_ = select(0.00000000000011368684f, _e410, (_e410 > 0.00000000000011368684f));
                     } else {
-                        phi_568_ = _e371;
+                        phi_643_ = 0f;
                     }
-                    let _e374 = phi_568_;
-                    let _e376 = ((_e374 * _e269) * _e275);
-                    let _e380 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e380 {
-                        let _e384 = (bitcast<f32>((bitcast<u32>(_e367) & 2147483647u)) * 0.00000011920929f);
-                        phi_591_ = select(0.00000000000011368684f, _e384, (_e384 > 0.00000000000011368684f));
+                    let _e414 = phi_643_;
+                    let _e415 = (_e378 + _e414);
+                    let _e416 = (_e378 - _e414);
+                    let _e417 = select(_e402, 0f, _e406);
+                    if _e406 {
+                        phi_654_ = 38685626000000000000000000f;
                     } else {
-                        phi_591_ = 0f;
+                        phi_654_ = (1f / _e402);
                     }
-                    let _e388 = phi_591_;
-                    let _e389 = (_e367 + _e388);
-                    let _e390 = (_e367 - _e388);
-                    let _e391 = select(_e376, 0f, _e380);
-                    if _e380 {
-                        phi_602_ = 38685626000000000000000000f;
+                    let _e420 = phi_654_;
+                    let _e421 = (_e246 == 0u);
+                    if _e421 {
+                        phi_663_ = _e283[0];
                     } else {
-                        phi_602_ = (1f / _e376);
+                        phi_663_ = _e283[1];
                     }
-                    let _e394 = phi_602_;
-                    let _e397 = bitcast<f32>((bitcast<u32>(_e290) & 2147483647u));
-                    let _e400 = bitcast<f32>((bitcast<u32>(_e329) & 2147483647u));
-                    let _e402 = select(_e400, _e397, (_e397 > _e400));
-                    let _e405 = bitcast<f32>((bitcast<u32>(_e367) & 2147483647u));
-                    let _e408 = (_e117 + _e222);
-                    if (_e203 && (select(_e405, _e402, (_e402 > _e405)) <= 1099511600000f)) {
-                        let _e411 = (_e408 / 3i);
-                        let _e418 = bitcast<f32>((bitcast<u32>((_e411 + 127i)) << bitcast<u32>(23i)));
-                        let _e425 = bitcast<f32>((bitcast<u32>(((_e408 - (2i * _e411)) + 127i)) << bitcast<u32>(23i)));
-                        let _e426 = (((_e188 * _e418) * _e418) * _e425);
-                        let _e428 = select(340282350000000000000000000000000000000f, _e426, (_e426 < 340282350000000000000000000000000000000f));
-                        let _e433 = (((_e197 * _e418) * _e418) * _e425);
-                        let _e435 = select(340282350000000000000000000000000000000f, _e433, (_e433 < 340282350000000000000000000000000000000f));
-                        phi_702_ = select(-340282350000000000000000000000000000000f, _e435, (_e435 > -340282350000000000000000000000000000000f));
-                        phi_703_ = select(-340282350000000000000000000000000000000f, _e428, (_e428 > -340282350000000000000000000000000000000f));
+                    let _e425 = phi_663_;
+                    let _e426 = (_e246 == 2u);
+                    if _e426 {
+                        phi_669_ = _e283[2];
                     } else {
-                        phi_702_ = 0f;
-                        phi_703_ = 1f;
+                        phi_669_ = _e425;
                     }
-                    let _e439 = phi_702_;
-                    let _e441 = phi_703_;
+                    let _e429 = phi_669_;
+                    let _e430 = bitcast<u32>(_e429);
+                    let _e432 = ((_e430 & 2139095040u) != 0u);
+                    let _e446 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e430 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e430 & 2147483648u))), _e429, _e432) * _e256) * select(0.00000011920929f, 1f, _e432)) * _e262);
+                    if _e421 {
+                        phi_709_ = _e310[0];
+                    } else {
+                        phi_709_ = _e310[1];
+                    }
+                    let _e450 = phi_709_;
+                    if _e426 {
+                        phi_715_ = _e310[2];
+                    } else {
+                        phi_715_ = _e450;
+                    }
+                    let _e453 = phi_715_;
+                    let _e454 = bitcast<u32>(_e453);
+                    let _e456 = ((_e454 & 2139095040u) != 0u);
+                    let _e470 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e454 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e454 & 2147483648u))), _e453, _e456) * _e273) * select(0.00000011920929f, 1f, _e456)) * _e279);
+                    let _e474 = (bitcast<f32>((bitcast<u32>(_e470) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e474 {
+                        let _e478 = (bitcast<f32>((bitcast<u32>(_e446) & 2147483647u)) * 0.00000011920929f);
+                        phi_767_ = select(0.00000000000011368684f, _e478, (_e478 > 0.00000000000011368684f));
+                    } else {
+                        phi_767_ = 0f;
+                    }
+                    let _e482 = phi_767_;
+                    let _e483 = (_e446 + _e482);
+                    let _e484 = (_e446 - _e482);
+                    let _e485 = select(_e470, 0f, _e474);
+                    if _e474 {
+                        phi_778_ = 38685626000000000000000000f;
+                    } else {
+                        phi_778_ = (1f / _e470);
+                    }
+                    let _e488 = phi_778_;
+                    let _e491 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
+                    let _e494 = bitcast<f32>((bitcast<u32>(_e378) & 2147483647u));
+                    let _e496 = select(_e494, _e491, (_e491 > _e494));
+                    let _e499 = bitcast<f32>((bitcast<u32>(_e446) & 2147483647u));
+                    let _e502 = (_e121 + _e226);
+                    if (_e207 && (select(_e499, _e496, (_e496 > _e499)) <= 1099511600000f)) {
+                        let _e512 = ((_e194 & 8388607u) | (select(0u, 1u, ((_e194 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e515 = bitcast<i32>((_e194 >> bitcast<u32>(23i)));
+                        let _e519 = (_e512 == 0u);
+                        let _e522 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e512)), 32u, _e519)) - 8i);
+                        if (_e515 == 255i) {
+                            phi_833_ = 255i;
+                        } else {
+                            phi_833_ = (((_e515 + select(0i, 1i, (_e515 == 0i))) - _e522) + _e502);
+                        }
+                        let _e530 = phi_833_;
+                        let _e540 = (_e530 <= 0i);
+                        if _e540 {
+                            phi_856_ = u32();
+                        } else {
+                            if _e519 {
+                                phi_855_ = u32();
+                            } else {
+                                phi_855_ = select(((bitcast<u32>(_e530) << bitcast<u32>(23i)) | ((_e512 << bitcast<u32>(((_e522 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e530 >= 255i));
+                            }
+                            let _e544 = phi_855_;
+                            phi_856_ = _e544;
+                        }
+                        let _e546 = phi_856_;
+                        let _e558 = ((_e203 & 8388607u) | (select(0u, 1u, ((_e203 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e561 = bitcast<i32>((_e203 >> bitcast<u32>(23i)));
+                        let _e565 = (_e558 == 0u);
+                        let _e568 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e558)), 32u, _e565)) - 8i);
+                        if (_e561 == 255i) {
+                            phi_893_ = 255i;
+                        } else {
+                            phi_893_ = (((_e561 + select(0i, 1i, (_e561 == 0i))) - _e568) + _e502);
+                        }
+                        let _e576 = phi_893_;
+                        let _e586 = (_e576 <= 0i);
+                        if _e586 {
+                            phi_916_ = u32();
+                        } else {
+                            if _e565 {
+                                phi_915_ = u32();
+                            } else {
+                                phi_915_ = select(((bitcast<u32>(_e576) << bitcast<u32>(23i)) | ((_e558 << bitcast<u32>(((_e568 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e576 >= 255i));
+                            }
+                            let _e590 = phi_915_;
+                            phi_916_ = _e590;
+                        }
+                        let _e592 = phi_916_;
+                        phi_924_ = bitcast<f32>(((_e202 & 2147483648u) | select(_e592, 0u, select(_e565, true, _e586))));
+                        phi_925_ = bitcast<f32>(((_e193 & 2147483648u) | select(_e546, 0u, select(_e519, true, _e540))));
+                    } else {
+                        phi_924_ = 0f;
+                        phi_925_ = 1f;
+                    }
+                    let _e598 = phi_924_;
+                    let _e600 = phi_925_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -494,843 +554,843 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e89), bitcast<f32>(_e93), bitcast<f32>(_e97));
-                    let _e447 = (_e241 % 3u);
-                    let _e448 = (_e447 < 3u);
-                    if _e448 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e93), bitcast<f32>(_e97), bitcast<f32>(_e101));
+                    let _e606 = (_e245 % 3u);
+                    let _e607 = (_e606 < 3u);
+                    if _e607 {
                     } else {
                         break;
                     }
-                    let _e450 = local_9[_e447];
-                    let _e451 = (_e240 % 3u);
-                    let _e452 = (_e451 < 3u);
-                    if _e452 {
+                    let _e609 = local_9[_e606];
+                    let _e610 = (_e244 % 3u);
+                    let _e611 = (_e610 < 3u);
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e454 = local_9[_e451];
-                    let _e455 = (_e242 % 3u);
-                    let _e456 = (_e455 < 3u);
-                    if _e456 {
+                    let _e613 = local_9[_e610];
+                    let _e614 = (_e246 % 3u);
+                    let _e615 = (_e614 < 3u);
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e458 = local_9[_e455];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e101), bitcast<f32>(_e105), bitcast<f32>(_e109));
-                    if _e448 {
+                    let _e617 = local_9[_e614];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
+                    if _e607 {
                     } else {
                         break;
                     }
-                    let _e462 = local_8[_e447];
-                    if _e452 {
+                    let _e621 = local_8[_e606];
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e464 = local_8[_e451];
-                    if _e456 {
+                    let _e623 = local_8[_e610];
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e466 = local_8[_e455];
-                    phi_3110_ = false;
-                    phi_777_ = type_33(type_28(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e439), 0u, 0u);
-                    phi_780_ = type_50(type_42(array<f32, 3>(_e450, _e454, _e458), array<f32, 3>(_e462, _e464, _e466)), select(0u, 2147483648u, (_e78 == 0u)));
-                    phi_782_ = ((3u * _e78) + 1u);
-                    phi_784_ = (_e441 <= _e439);
-                    phi_786_ = 0u;
+                    let _e625 = local_8[_e614];
+                    phi_3374_ = false;
+                    phi_999_ = type_33(type_28(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e598), 0u, 0u);
+                    phi_1002_ = type_50(type_42(array<f32, 3>(_e609, _e613, _e617), array<f32, 3>(_e621, _e623, _e625)), select(0u, 2147483648u, (_e82 == 0u)));
+                    phi_1004_ = ((3u * _e82) + 1u);
+                    phi_1006_ = (_e600 <= _e598);
+                    phi_1008_ = 0u;
                     loop {
-                        let _e474 = phi_3110_;
-                        let _e476 = phi_777_;
-                        let _e478 = phi_780_;
-                        let _e480 = phi_782_;
-                        let _e482 = phi_784_;
-                        let _e484 = phi_786_;
-                        local_10 = _e476;
-                        local_11 = _e476;
-                        if _e482 {
-                            phi_797_ = true;
+                        let _e633 = phi_3374_;
+                        let _e635 = phi_999_;
+                        let _e637 = phi_1002_;
+                        let _e639 = phi_1004_;
+                        let _e641 = phi_1006_;
+                        let _e643 = phi_1008_;
+                        local_10 = _e635;
+                        local_11 = _e635;
+                        if _e641 {
+                            phi_1019_ = true;
                         } else {
-                            phi_797_ = (_e484 > 0u);
+                            phi_1019_ = (_e643 > 0u);
                         }
-                        let _e487 = phi_797_;
-                        if _e487 {
-                            let _e488 = (_e480 > 0u);
-                            if _e488 {
-                                if _e482 {
-                                    phi_883_ = _e478;
-                                    phi_884_ = _e482;
-                                    phi_885_ = _e484;
+                        let _e646 = phi_1019_;
+                        if _e646 {
+                            let _e647 = (_e639 > 0u);
+                            if _e647 {
+                                if _e641 {
+                                    phi_1105_ = _e637;
+                                    phi_1106_ = _e641;
+                                    phi_1107_ = _e643;
                                 } else {
-                                    let _e489 = (_e484 - 1u);
-                                    let _e490 = (_e489 % 128u);
-                                    let _e491 = (_e490 < 128u);
-                                    if _e491 {
+                                    let _e648 = (_e643 - 1u);
+                                    let _e649 = (_e648 % 128u);
+                                    let _e650 = (_e649 < 128u);
+                                    if _e650 {
                                     } else {
-                                        phi_3264_ = true;
+                                        phi_3546_ = true;
                                         break;
                                     }
-                                    let _e493 = local_6[_e490];
-                                    if _e491 {
+                                    let _e652 = local_6[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3264_ = true;
+                                        phi_3546_ = true;
                                         break;
                                     }
-                                    let _e495 = local_5[_e490];
-                                    if _e491 {
+                                    let _e654 = local_5[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3264_ = true;
+                                        phi_3546_ = true;
                                         break;
                                     }
-                                    let _e497 = local_4[_e490];
-                                    if _e491 {
+                                    let _e656 = local_4[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3264_ = true;
+                                        phi_3546_ = true;
                                         break;
                                     }
-                                    let _e499 = local_3[_e490];
-                                    if _e491 {
+                                    let _e658 = local_3[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3264_ = true;
+                                        phi_3546_ = true;
                                         break;
                                     }
-                                    let _e502 = local_2[_e490];
-                                    if _e491 {
+                                    let _e661 = local_2[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3264_ = true;
+                                        phi_3546_ = true;
                                         break;
                                     }
-                                    let _e504 = local_1[_e490];
-                                    if _e491 {
+                                    let _e663 = local_1[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3264_ = true;
+                                        phi_3546_ = true;
                                         break;
                                     }
-                                    let _e506 = local[_e490];
-                                    if _e491 {
+                                    let _e665 = local[_e649];
+                                    if _e650 {
                                     } else {
-                                        phi_3264_ = true;
+                                        phi_3546_ = true;
                                         break;
                                     }
-                                    let _e511 = local_7[_e490];
-                                    phi_883_ = type_50(type_42(array<f32, 3>(_e495, _e497, _e499), array<f32, 3>(_e502, _e504, _e506)), _e493);
-                                    phi_884_ = (_e511 <= _e476.member.member_1);
-                                    phi_885_ = _e489;
+                                    let _e670 = local_7[_e649];
+                                    phi_1105_ = type_50(type_42(array<f32, 3>(_e654, _e656, _e658), array<f32, 3>(_e661, _e663, _e665)), _e652);
+                                    phi_1106_ = (_e670 <= _e635.member.member_1);
+                                    phi_1107_ = _e648;
                                 }
-                                let _e516 = phi_883_;
-                                let _e518 = phi_884_;
-                                let _e520 = phi_885_;
-                                if _e518 {
-                                    if ((_e516.member_1 & 2147483648u) != 0u) {
-                                        phi_904_ = _e476;
-                                        phi_907_ = type_4(0u, ((_e516.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e675 = phi_1105_;
+                                let _e677 = phi_1106_;
+                                let _e679 = phi_1107_;
+                                if _e677 {
+                                    if ((_e675.member_1 & 2147483648u) != 0u) {
+                                        phi_1126_ = _e635;
+                                        phi_1129_ = type_4(0u, ((_e675.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e880 = phi_904_;
-                                            let _e882 = phi_907_;
-                                            local_12 = _e880;
-                                            if (_e882.member < _e882.member_1) {
-                                                phi_908_ = type_4((_e882.member + 1u), _e882.member_1);
-                                                phi_930_ = type_4(1u, _e882.member);
+                                            let _e1063 = phi_1126_;
+                                            let _e1065 = phi_1129_;
+                                            local_12 = _e1063;
+                                            if (_e1065.member < _e1065.member_1) {
+                                                phi_1130_ = type_4((_e1065.member + 1u), _e1065.member_1);
+                                                phi_1152_ = type_4(1u, _e1065.member);
                                             } else {
-                                                phi_908_ = _e882;
-                                                phi_930_ = type_4(0u, type_4().member_1);
+                                                phi_1130_ = _e1065;
+                                                phi_1152_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e895 = phi_908_;
-                                            let _e897 = phi_930_;
-                                            let _e901 = (bitcast<i32>(_e897.member) != 0i);
-                                            if _e901 {
-                                                let _e907 = type_33(_e880.member, _e880.member_1, (_e880.member_2 + 1u));
-                                                let _e908 = ((_e516.member_1 & 268435455u) + _e897.member_1);
-                                                let _e909 = (_e908 < arrayLength((&global_6.member)));
-                                                if _e909 {
-                                                    if _e909 {
+                                            let _e1078 = phi_1130_;
+                                            let _e1080 = phi_1152_;
+                                            let _e1084 = (bitcast<i32>(_e1080.member) != 0i);
+                                            if _e1084 {
+                                                let _e1090 = type_33(_e1063.member, _e1063.member_1, (_e1063.member_2 + 1u));
+                                                let _e1091 = ((_e675.member_1 & 268435455u) + _e1080.member_1);
+                                                let _e1092 = (_e1091 < arrayLength((&global_6.member)));
+                                                if _e1092 {
+                                                    if _e1092 {
                                                     } else {
-                                                        phi_3104_ = true;
+                                                        phi_3368_ = true;
                                                         break;
                                                     }
-                                                    let _e912 = global_6.member[_e908].member_1;
-                                                    phi_958_ = _e912;
+                                                    let _e1095 = global_6.member[_e1091].member_1;
+                                                    phi_1180_ = _e1095;
                                                 } else {
-                                                    phi_958_ = 4294967295u;
+                                                    phi_1180_ = 4294967295u;
                                                 }
-                                                let _e914 = phi_958_;
-                                                if _e909 {
-                                                    if _e909 {
+                                                let _e1097 = phi_1180_;
+                                                if _e1092 {
+                                                    if _e1092 {
                                                     } else {
-                                                        phi_3104_ = true;
+                                                        phi_3368_ = true;
                                                         break;
                                                     }
-                                                    let _e916 = global_6.member[_e908];
-                                                    phi_974_ = _e916;
+                                                    let _e1099 = global_6.member[_e1091];
+                                                    phi_1196_ = _e1099;
                                                 } else {
-                                                    phi_974_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1196_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e918 = phi_974_;
-                                                let _e930 = ((10u * _e241) & 31u);
-                                                let _e933 = ((_e918.member[0] >> bitcast<u32>(_e930)) & 1023u);
-                                                let _e938 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[0] - _e516.member.member[0]) * 0.0009775171f)) ^ _e113));
-                                                let _e944 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e933) * _e938)) ^ _e113)));
-                                                let _e948 = select(select(_e516.member.member_1[0], _e944, (_e944 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e933 == 1023u));
-                                                let _e950 = ((10u * _e240) & 31u);
-                                                let _e953 = ((_e918.member[0] >> bitcast<u32>(_e950)) & 1023u);
-                                                let _e958 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[1] - _e516.member.member[1]) * 0.0009775171f)) ^ _e113));
-                                                let _e964 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e953) * _e958)) ^ _e113)));
-                                                let _e968 = select(select(_e516.member.member_1[1], _e964, (_e964 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e953 == 1023u));
-                                                let _e970 = ((10u * _e242) & 31u);
-                                                let _e973 = ((_e918.member[0] >> bitcast<u32>(_e970)) & 1023u);
-                                                let _e978 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[2] - _e516.member.member[2]) * 0.0009775171f)) ^ _e113));
-                                                let _e984 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e973) * _e978)) ^ _e113)));
-                                                let _e988 = select(select(_e516.member.member_1[2], _e984, (_e984 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e973 == 1023u));
-                                                let _e992 = ((_e918.member[1] >> bitcast<u32>(_e930)) & 1023u);
-                                                let _e998 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e992) * _e938)) ^ _e113)));
-                                                let _e1002 = select(select(_e516.member.member_1[0], _e998, (_e998 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e992 == 1023u));
-                                                let _e1005 = ((_e918.member[1] >> bitcast<u32>(_e950)) & 1023u);
-                                                let _e1011 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1005) * _e958)) ^ _e113)));
-                                                let _e1015 = select(select(_e516.member.member_1[1], _e1011, (_e1011 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e1005 == 1023u));
-                                                let _e1018 = ((_e918.member[1] >> bitcast<u32>(_e970)) & 1023u);
-                                                let _e1024 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1018) * _e978)) ^ _e113)));
-                                                let _e1028 = select(select(_e516.member.member_1[2], _e1024, (_e1024 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e1018 == 1023u));
-                                                let _e1032 = ((_e918.member[2] >> bitcast<u32>(_e930)) & 1023u);
-                                                let _e1038 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1032) * _e938)) ^ _e113)));
-                                                let _e1042 = select(select(_e516.member.member_1[0], _e1038, (_e1038 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e1032 == 1023u));
-                                                let _e1045 = ((_e918.member[2] >> bitcast<u32>(_e950)) & 1023u);
-                                                let _e1051 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1045) * _e958)) ^ _e113)));
-                                                let _e1055 = select(select(_e516.member.member_1[1], _e1051, (_e1051 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e1045 == 1023u));
-                                                let _e1058 = ((_e918.member[2] >> bitcast<u32>(_e970)) & 1023u);
-                                                let _e1064 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1058) * _e978)) ^ _e113)));
-                                                let _e1068 = select(select(_e516.member.member_1[2], _e1064, (_e1064 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e1058 == 1023u));
-                                                let _e1073 = (_e988 - _e367);
-                                                let _e1076 = (((_e948 - _e290) * _e391) - (_e1073 * _e315));
-                                                let _e1079 = (((_e968 - _e329) * _e391) - (_e1073 * _e353));
-                                                let _e1082 = (_e1028 - _e367);
-                                                let _e1085 = (((_e1002 - _e290) * _e391) - (_e1082 * _e315));
-                                                let _e1088 = (((_e1015 - _e329) * _e391) - (_e1082 * _e353));
-                                                let _e1091 = (_e1068 - _e367);
-                                                let _e1094 = (((_e1042 - _e290) * _e391) - (_e1091 * _e315));
-                                                let _e1097 = (((_e1055 - _e329) * _e391) - (_e1091 * _e353));
-                                                let _e1098 = (_e1094 * _e1088);
-                                                let _e1099 = (_e1097 * _e1085);
-                                                let _e1100 = (_e1076 * _e1097);
-                                                let _e1101 = (_e1079 * _e1094);
-                                                let _e1102 = (_e1085 * _e1079);
-                                                let _e1103 = (_e1088 * _e1076);
-                                                let _e1108 = (((_e1098 >= _e1099) && (_e1100 >= _e1101)) && (_e1102 >= _e1103));
-                                                if (_e1108 || (((_e1098 <= _e1099) && (_e1100 <= _e1101)) && (_e1102 <= _e1103))) {
-                                                    let _e1115 = select(-1f, 1f, _e1108);
-                                                    let _e1117 = ((_e1098 - _e1099) * _e1115);
-                                                    let _e1119 = select(0f, _e1117, (_e1117 > 0f));
-                                                    let _e1121 = ((_e1100 - _e1101) * _e1115);
-                                                    let _e1123 = select(0f, _e1121, (_e1121 > 0f));
-                                                    let _e1125 = ((_e1102 - _e1103) * _e1115);
-                                                    let _e1127 = select(0f, _e1125, (_e1125 > 0f));
-                                                    let _e1129 = ((_e1119 + _e1123) + _e1127);
-                                                    if (_e1129 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2034_ = type_21();
-                                                        phi_2035_ = true;
-                                                        phi_2036_ = false;
+                                                let _e1101 = phi_1196_;
+                                                let _e1113 = ((10u * _e245) & 31u);
+                                                let _e1116 = ((_e1101.member[0] >> bitcast<u32>(_e1113)) & 1023u);
+                                                let _e1124 = bitcast<f32>((bitcast<u32>(((_e675.member.member_1[0] - _e675.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                                let _e1129 = (_e675.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1116)) - 8388608f) * _e1124)) ^ _e117)));
+                                                let _e1133 = select(select(_e675.member.member_1[0], _e1129, (_e1129 < _e675.member.member_1[0])), _e675.member.member_1[0], (_e1116 == 1023u));
+                                                let _e1135 = ((10u * _e244) & 31u);
+                                                let _e1138 = ((_e1101.member[0] >> bitcast<u32>(_e1135)) & 1023u);
+                                                let _e1146 = bitcast<f32>((bitcast<u32>(((_e675.member.member_1[1] - _e675.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                                let _e1151 = (_e675.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1138)) - 8388608f) * _e1146)) ^ _e117)));
+                                                let _e1155 = select(select(_e675.member.member_1[1], _e1151, (_e1151 < _e675.member.member_1[1])), _e675.member.member_1[1], (_e1138 == 1023u));
+                                                let _e1157 = ((10u * _e246) & 31u);
+                                                let _e1160 = ((_e1101.member[0] >> bitcast<u32>(_e1157)) & 1023u);
+                                                let _e1168 = bitcast<f32>((bitcast<u32>(((_e675.member.member_1[2] - _e675.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                                let _e1173 = (_e675.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1160)) - 8388608f) * _e1168)) ^ _e117)));
+                                                let _e1177 = select(select(_e675.member.member_1[2], _e1173, (_e1173 < _e675.member.member_1[2])), _e675.member.member_1[2], (_e1160 == 1023u));
+                                                let _e1181 = ((_e1101.member[1] >> bitcast<u32>(_e1113)) & 1023u);
+                                                let _e1189 = (_e675.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1181)) - 8388608f) * _e1124)) ^ _e117)));
+                                                let _e1193 = select(select(_e675.member.member_1[0], _e1189, (_e1189 < _e675.member.member_1[0])), _e675.member.member_1[0], (_e1181 == 1023u));
+                                                let _e1196 = ((_e1101.member[1] >> bitcast<u32>(_e1135)) & 1023u);
+                                                let _e1204 = (_e675.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1196)) - 8388608f) * _e1146)) ^ _e117)));
+                                                let _e1208 = select(select(_e675.member.member_1[1], _e1204, (_e1204 < _e675.member.member_1[1])), _e675.member.member_1[1], (_e1196 == 1023u));
+                                                let _e1211 = ((_e1101.member[1] >> bitcast<u32>(_e1157)) & 1023u);
+                                                let _e1219 = (_e675.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1211)) - 8388608f) * _e1168)) ^ _e117)));
+                                                let _e1223 = select(select(_e675.member.member_1[2], _e1219, (_e1219 < _e675.member.member_1[2])), _e675.member.member_1[2], (_e1211 == 1023u));
+                                                let _e1227 = ((_e1101.member[2] >> bitcast<u32>(_e1113)) & 1023u);
+                                                let _e1235 = (_e675.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1227)) - 8388608f) * _e1124)) ^ _e117)));
+                                                let _e1239 = select(select(_e675.member.member_1[0], _e1235, (_e1235 < _e675.member.member_1[0])), _e675.member.member_1[0], (_e1227 == 1023u));
+                                                let _e1242 = ((_e1101.member[2] >> bitcast<u32>(_e1135)) & 1023u);
+                                                let _e1250 = (_e675.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1242)) - 8388608f) * _e1146)) ^ _e117)));
+                                                let _e1254 = select(select(_e675.member.member_1[1], _e1250, (_e1250 < _e675.member.member_1[1])), _e675.member.member_1[1], (_e1242 == 1023u));
+                                                let _e1257 = ((_e1101.member[2] >> bitcast<u32>(_e1157)) & 1023u);
+                                                let _e1265 = (_e675.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1257)) - 8388608f) * _e1168)) ^ _e117)));
+                                                let _e1269 = select(select(_e675.member.member_1[2], _e1265, (_e1265 < _e675.member.member_1[2])), _e675.member.member_1[2], (_e1257 == 1023u));
+                                                let _e1274 = (_e1177 - _e446);
+                                                let _e1277 = (((_e1133 - _e309) * _e485) - (_e1274 * _e349));
+                                                let _e1280 = (((_e1155 - _e378) * _e485) - (_e1274 * _e417));
+                                                let _e1283 = (_e1223 - _e446);
+                                                let _e1286 = (((_e1193 - _e309) * _e485) - (_e1283 * _e349));
+                                                let _e1289 = (((_e1208 - _e378) * _e485) - (_e1283 * _e417));
+                                                let _e1292 = (_e1269 - _e446);
+                                                let _e1295 = (((_e1239 - _e309) * _e485) - (_e1292 * _e349));
+                                                let _e1298 = (((_e1254 - _e378) * _e485) - (_e1292 * _e417));
+                                                let _e1299 = (_e1295 * _e1289);
+                                                let _e1300 = (_e1298 * _e1286);
+                                                let _e1301 = (_e1277 * _e1298);
+                                                let _e1302 = (_e1280 * _e1295);
+                                                let _e1303 = (_e1286 * _e1280);
+                                                let _e1304 = (_e1289 * _e1277);
+                                                let _e1309 = (((_e1299 >= _e1300) && (_e1301 >= _e1302)) && (_e1303 >= _e1304));
+                                                if (_e1309 || (((_e1299 <= _e1300) && (_e1301 <= _e1302)) && (_e1303 <= _e1304))) {
+                                                    let _e1316 = select(-1f, 1f, _e1309);
+                                                    let _e1318 = ((_e1299 - _e1300) * _e1316);
+                                                    let _e1320 = select(0f, _e1318, (_e1318 > 0f));
+                                                    let _e1322 = ((_e1301 - _e1302) * _e1316);
+                                                    let _e1324 = select(0f, _e1322, (_e1322 > 0f));
+                                                    let _e1326 = ((_e1303 - _e1304) * _e1316);
+                                                    let _e1328 = select(0f, _e1326, (_e1326 > 0f));
+                                                    let _e1330 = ((_e1320 + _e1324) + _e1328);
+                                                    if (_e1330 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2274_ = type_21();
+                                                        phi_2275_ = true;
+                                                        phi_2276_ = false;
                                                     } else {
-                                                        let _e1132 = select(_e1085, _e1076, (_e1076 < _e1085));
-                                                        if (select(_e1094, _e1132, (_e1132 < _e1094)) > 0f) {
-                                                            phi_1350_ = true;
+                                                        let _e1333 = select(_e1286, _e1277, (_e1277 < _e1286));
+                                                        if (select(_e1295, _e1333, (_e1333 < _e1295)) > 0f) {
+                                                            phi_1590_ = true;
                                                         } else {
-                                                            let _e1137 = select(_e1085, _e1076, (_e1076 > _e1085));
-                                                            phi_1350_ = (select(_e1094, _e1137, (_e1137 > _e1094)) < 0f);
+                                                            let _e1338 = select(_e1286, _e1277, (_e1277 > _e1286));
+                                                            phi_1590_ = (select(_e1295, _e1338, (_e1338 > _e1295)) < 0f);
                                                         }
-                                                        let _e1142 = phi_1350_;
-                                                        if _e1142 {
-                                                            phi_2031_ = type_21();
-                                                            phi_2032_ = true;
-                                                            phi_2033_ = false;
+                                                        let _e1343 = phi_1590_;
+                                                        if _e1343 {
+                                                            phi_2271_ = type_21();
+                                                            phi_2272_ = true;
+                                                            phi_2273_ = false;
                                                         } else {
-                                                            let _e1144 = select(_e1088, _e1079, (_e1079 < _e1088));
-                                                            if (select(_e1097, _e1144, (_e1144 < _e1097)) > 0f) {
-                                                                phi_1379_ = true;
+                                                            let _e1345 = select(_e1289, _e1280, (_e1280 < _e1289));
+                                                            if (select(_e1298, _e1345, (_e1345 < _e1298)) > 0f) {
+                                                                phi_1619_ = true;
                                                             } else {
-                                                                let _e1149 = select(_e1088, _e1079, (_e1079 > _e1088));
-                                                                phi_1379_ = (select(_e1097, _e1149, (_e1149 > _e1097)) < 0f);
+                                                                let _e1350 = select(_e1289, _e1280, (_e1280 > _e1289));
+                                                                phi_1619_ = (select(_e1298, _e1350, (_e1350 > _e1298)) < 0f);
                                                             }
-                                                            let _e1154 = phi_1379_;
-                                                            if _e1154 {
-                                                                phi_2029_ = type_21();
-                                                                phi_2030_ = false;
+                                                            let _e1355 = phi_1619_;
+                                                            if _e1355 {
+                                                                phi_2269_ = type_21();
+                                                                phi_2270_ = false;
                                                             } else {
-                                                                let _e1156 = select(_e1002, _e948, (_e948 < _e1002));
-                                                                let _e1160 = select(_e1002, _e948, (_e948 > _e1002));
-                                                                let _e1164 = select(_e1015, _e968, (_e968 < _e1015));
-                                                                let _e1168 = select(_e1015, _e968, (_e968 > _e1015));
-                                                                let _e1172 = select(_e1028, _e988, (_e988 < _e1028));
-                                                                let _e1176 = select(_e1028, _e988, (_e988 > _e1028));
-                                                                let _e1181 = ((select(_e1042, _e1156, (_e1156 < _e1042)) - _e313) * _e318);
-                                                                let _e1182 = ((select(_e1042, _e1160, (_e1160 > _e1042)) - _e314) * _e318);
-                                                                let _e1185 = ((select(_e1055, _e1164, (_e1164 < _e1055)) - _e351) * _e356);
-                                                                let _e1186 = ((select(_e1055, _e1168, (_e1168 > _e1055)) - _e352) * _e356);
-                                                                let _e1189 = ((select(_e1068, _e1172, (_e1172 < _e1068)) - _e389) * _e394);
-                                                                let _e1190 = ((select(_e1068, _e1176, (_e1176 > _e1068)) - _e390) * _e394);
-                                                                let _e1192 = select(_e1190, _e1189, (_e1189 < _e1190));
-                                                                let _e1194 = select(_e1190, _e1189, (_e1189 > _e1190));
-                                                                let _e1196 = select(_e1182, _e1181, (_e1181 < _e1182));
-                                                                let _e1198 = select(_e1186, _e1185, (_e1185 < _e1186));
-                                                                let _e1200 = select(_e1198, _e1196, (_e1196 > _e1198));
-                                                                let _e1202 = select(_e1192, _e1200, (_e1200 > _e1192));
-                                                                let _e1204 = select(_e1182, _e1181, (_e1181 > _e1182));
-                                                                let _e1206 = select(_e1186, _e1185, (_e1185 > _e1186));
-                                                                let _e1208 = select(_e1206, _e1204, (_e1204 < _e1206));
-                                                                let _e1210 = select(_e1194, _e1208, (_e1208 < _e1194));
-                                                                let _e1211 = -(_e1192);
-                                                                let _e1217 = select(_e441, _e1202, (_e1202 > _e441));
-                                                                if (_e1217 > (_e1210 + (select(_e1211, _e1194, (_e1194 > _e1211)) * 0.0000019073523f))) {
-                                                                    phi_2024_ = type_21();
-                                                                    phi_2025_ = true;
+                                                                let _e1357 = select(_e1193, _e1133, (_e1133 < _e1193));
+                                                                let _e1361 = select(_e1193, _e1133, (_e1133 > _e1193));
+                                                                let _e1365 = select(_e1208, _e1155, (_e1155 < _e1208));
+                                                                let _e1369 = select(_e1208, _e1155, (_e1155 > _e1208));
+                                                                let _e1373 = select(_e1223, _e1177, (_e1177 < _e1223));
+                                                                let _e1377 = select(_e1223, _e1177, (_e1177 > _e1223));
+                                                                let _e1382 = ((select(_e1239, _e1357, (_e1357 < _e1239)) - _e347) * _e352);
+                                                                let _e1383 = ((select(_e1239, _e1361, (_e1361 > _e1239)) - _e348) * _e352);
+                                                                let _e1386 = ((select(_e1254, _e1365, (_e1365 < _e1254)) - _e415) * _e420);
+                                                                let _e1387 = ((select(_e1254, _e1369, (_e1369 > _e1254)) - _e416) * _e420);
+                                                                let _e1390 = ((select(_e1269, _e1373, (_e1373 < _e1269)) - _e483) * _e488);
+                                                                let _e1391 = ((select(_e1269, _e1377, (_e1377 > _e1269)) - _e484) * _e488);
+                                                                let _e1393 = select(_e1391, _e1390, (_e1390 < _e1391));
+                                                                let _e1395 = select(_e1391, _e1390, (_e1390 > _e1391));
+                                                                let _e1397 = select(_e1383, _e1382, (_e1382 < _e1383));
+                                                                let _e1399 = select(_e1387, _e1386, (_e1386 < _e1387));
+                                                                let _e1401 = select(_e1399, _e1397, (_e1397 > _e1399));
+                                                                let _e1403 = select(_e1393, _e1401, (_e1401 > _e1393));
+                                                                let _e1405 = select(_e1383, _e1382, (_e1382 > _e1383));
+                                                                let _e1407 = select(_e1387, _e1386, (_e1386 > _e1387));
+                                                                let _e1409 = select(_e1407, _e1405, (_e1405 < _e1407));
+                                                                let _e1411 = select(_e1395, _e1409, (_e1409 < _e1395));
+                                                                let _e1412 = -(_e1393);
+                                                                let _e1418 = select(_e600, _e1403, (_e1403 > _e600));
+                                                                if (_e1418 > (_e1411 + (select(_e1412, _e1395, (_e1395 > _e1412)) * 0.0000019073523f))) {
+                                                                    phi_2264_ = type_21();
+                                                                    phi_2265_ = true;
                                                                 } else {
-                                                                    let _e1219 = (_e1217 > _e880.member.member_1);
-                                                                    if _e1219 {
-                                                                        phi_2023_ = type_21();
+                                                                    let _e1420 = (_e1418 > _e1063.member.member_1);
+                                                                    if _e1420 {
+                                                                        phi_2263_ = type_21();
                                                                     } else {
-                                                                        let _e1220 = vec3<f32>(_e948, _e968, _e988);
-                                                                        let _e1221 = vec3<f32>(_e1002, _e1015, _e1028);
-                                                                        let _e1222 = vec3<f32>(_e1042, _e1055, _e1068);
-                                                                        let _e1223 = (_e1002 - _e948);
-                                                                        let _e1224 = (_e1015 - _e968);
-                                                                        let _e1225 = (_e1028 - _e988);
-                                                                        let _e1226 = vec3<f32>(_e1223, _e1224, _e1225);
-                                                                        let _e1227 = (_e1042 - _e1002);
-                                                                        let _e1228 = (_e1055 - _e1015);
-                                                                        let _e1229 = (_e1068 - _e1028);
-                                                                        let _e1230 = vec3<f32>(_e1227, _e1228, _e1229);
-                                                                        let _e1231 = (_e948 - _e1042);
-                                                                        let _e1232 = (_e968 - _e1055);
-                                                                        let _e1233 = (_e988 - _e1068);
-                                                                        let _e1234 = vec3<f32>(_e1231, _e1232, _e1233);
-                                                                        let _e1237 = bitcast<f32>((bitcast<u32>(_e1223) & 2147483647u));
-                                                                        let _e1240 = bitcast<f32>((bitcast<u32>(_e1224) & 2147483647u));
-                                                                        let _e1242 = select(_e1240, _e1237, (_e1237 > _e1240));
-                                                                        let _e1245 = bitcast<f32>((bitcast<u32>(_e1225) & 2147483647u));
-                                                                        let _e1247 = select(_e1245, _e1242, (_e1242 > _e1245));
-                                                                        let _e1250 = bitcast<f32>((bitcast<u32>(_e1227) & 2147483647u));
-                                                                        let _e1253 = bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u));
-                                                                        let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
-                                                                        let _e1258 = bitcast<f32>((bitcast<u32>(_e1229) & 2147483647u));
-                                                                        let _e1260 = select(_e1258, _e1255, (_e1255 > _e1258));
-                                                                        let _e1263 = bitcast<f32>((bitcast<u32>(_e1231) & 2147483647u));
-                                                                        let _e1266 = bitcast<f32>((bitcast<u32>(_e1232) & 2147483647u));
-                                                                        let _e1268 = select(_e1266, _e1263, (_e1263 > _e1266));
-                                                                        let _e1271 = bitcast<f32>((bitcast<u32>(_e1233) & 2147483647u));
-                                                                        let _e1273 = select(_e1271, _e1268, (_e1268 > _e1271));
-                                                                        let _e1275 = select(_e1260, _e1247, (_e1247 > _e1260));
-                                                                        let _e1277 = select(_e1273, _e1275, (_e1275 > _e1273));
-                                                                        if (_e1247 == _e1277) {
-                                                                            phi_1756_ = _e1088;
-                                                                            phi_1757_ = _e1085;
-                                                                            phi_1758_ = _e1079;
-                                                                            phi_1759_ = _e1076;
-                                                                            phi_1760_ = _e1220;
-                                                                            phi_1761_ = _e1234;
-                                                                            phi_1762_ = _e1230;
-                                                                            phi_1763_ = _e1226;
+                                                                        let _e1421 = vec3<f32>(_e1133, _e1155, _e1177);
+                                                                        let _e1422 = vec3<f32>(_e1193, _e1208, _e1223);
+                                                                        let _e1423 = vec3<f32>(_e1239, _e1254, _e1269);
+                                                                        let _e1424 = (_e1193 - _e1133);
+                                                                        let _e1425 = (_e1208 - _e1155);
+                                                                        let _e1426 = (_e1223 - _e1177);
+                                                                        let _e1427 = vec3<f32>(_e1424, _e1425, _e1426);
+                                                                        let _e1428 = (_e1239 - _e1193);
+                                                                        let _e1429 = (_e1254 - _e1208);
+                                                                        let _e1430 = (_e1269 - _e1223);
+                                                                        let _e1431 = vec3<f32>(_e1428, _e1429, _e1430);
+                                                                        let _e1432 = (_e1133 - _e1239);
+                                                                        let _e1433 = (_e1155 - _e1254);
+                                                                        let _e1434 = (_e1177 - _e1269);
+                                                                        let _e1435 = vec3<f32>(_e1432, _e1433, _e1434);
+                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
+                                                                        let _e1441 = bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u));
+                                                                        let _e1443 = select(_e1441, _e1438, (_e1438 > _e1441));
+                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
+                                                                        let _e1448 = select(_e1446, _e1443, (_e1443 > _e1446));
+                                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
+                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
+                                                                        let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
+                                                                        let _e1459 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
+                                                                        let _e1461 = select(_e1459, _e1456, (_e1456 > _e1459));
+                                                                        let _e1464 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
+                                                                        let _e1467 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
+                                                                        let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
+                                                                        let _e1472 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
+                                                                        let _e1474 = select(_e1472, _e1469, (_e1469 > _e1472));
+                                                                        let _e1476 = select(_e1461, _e1448, (_e1448 > _e1461));
+                                                                        let _e1478 = select(_e1474, _e1476, (_e1476 > _e1474));
+                                                                        if (_e1448 == _e1478) {
+                                                                            phi_1996_ = _e1289;
+                                                                            phi_1997_ = _e1286;
+                                                                            phi_1998_ = _e1280;
+                                                                            phi_1999_ = _e1277;
+                                                                            phi_2000_ = _e1421;
+                                                                            phi_2001_ = _e1435;
+                                                                            phi_2002_ = _e1431;
+                                                                            phi_2003_ = _e1427;
                                                                         } else {
-                                                                            let _e1279 = (_e1260 == _e1277);
-                                                                            let _e1284 = vec3(_e1279);
-                                                                            phi_1756_ = select(_e1079, _e1097, _e1279);
-                                                                            phi_1757_ = select(_e1076, _e1094, _e1279);
-                                                                            phi_1758_ = select(_e1097, _e1088, _e1279);
-                                                                            phi_1759_ = select(_e1094, _e1085, _e1279);
-                                                                            phi_1760_ = select(_e1222, _e1221, _e1284);
-                                                                            phi_1761_ = select(_e1230, _e1226, _e1284);
-                                                                            phi_1762_ = select(_e1226, _e1234, _e1284);
-                                                                            phi_1763_ = select(_e1234, _e1230, _e1284);
+                                                                            let _e1480 = (_e1461 == _e1478);
+                                                                            let _e1485 = vec3(_e1480);
+                                                                            phi_1996_ = select(_e1280, _e1298, _e1480);
+                                                                            phi_1997_ = select(_e1277, _e1295, _e1480);
+                                                                            phi_1998_ = select(_e1298, _e1289, _e1480);
+                                                                            phi_1999_ = select(_e1295, _e1286, _e1480);
+                                                                            phi_2000_ = select(_e1423, _e1422, _e1485);
+                                                                            phi_2001_ = select(_e1431, _e1427, _e1485);
+                                                                            phi_2002_ = select(_e1427, _e1435, _e1485);
+                                                                            phi_2003_ = select(_e1435, _e1431, _e1485);
                                                                         }
-                                                                        let _e1290 = phi_1756_;
-                                                                        let _e1292 = phi_1757_;
-                                                                        let _e1294 = phi_1758_;
-                                                                        let _e1296 = phi_1759_;
-                                                                        let _e1298 = phi_1760_;
-                                                                        let _e1300 = phi_1761_;
-                                                                        let _e1302 = phi_1762_;
-                                                                        let _e1304 = phi_1763_;
-                                                                        let _e1311 = ((_e1302.y * _e1300.z) - (_e1300.y * _e1302.z));
-                                                                        let _e1316 = ((_e1302.z * _e1300.x) - (_e1300.z * _e1302.x));
-                                                                        let _e1319 = ((_e1302.x * _e1300.y) - (_e1300.x * _e1302.y));
-                                                                        if (_e1119 >= _e1123) {
-                                                                            phi_1794_ = select(true, false, (_e1119 >= _e1127));
+                                                                        let _e1491 = phi_1996_;
+                                                                        let _e1493 = phi_1997_;
+                                                                        let _e1495 = phi_1998_;
+                                                                        let _e1497 = phi_1999_;
+                                                                        let _e1499 = phi_2000_;
+                                                                        let _e1501 = phi_2001_;
+                                                                        let _e1503 = phi_2002_;
+                                                                        let _e1505 = phi_2003_;
+                                                                        let _e1512 = ((_e1503.y * _e1501.z) - (_e1501.y * _e1503.z));
+                                                                        let _e1517 = ((_e1503.z * _e1501.x) - (_e1501.z * _e1503.x));
+                                                                        let _e1520 = ((_e1503.x * _e1501.y) - (_e1501.x * _e1503.y));
+                                                                        if (_e1320 >= _e1324) {
+                                                                            phi_2034_ = select(true, false, (_e1320 >= _e1328));
                                                                         } else {
-                                                                            phi_1794_ = true;
+                                                                            phi_2034_ = true;
                                                                         }
-                                                                        let _e1324 = phi_1794_;
-                                                                        if _e1324 {
-                                                                            phi_1803_ = select(_e1222, _e1221, vec3((_e1123 >= _e1127)));
+                                                                        let _e1525 = phi_2034_;
+                                                                        if _e1525 {
+                                                                            phi_2043_ = select(_e1423, _e1422, vec3((_e1324 >= _e1328)));
                                                                         } else {
-                                                                            phi_1803_ = _e1220;
+                                                                            phi_2043_ = _e1421;
                                                                         }
-                                                                        let _e1329 = phi_1803_;
-                                                                        let _e1340 = (((_e1311 * (_e1329.x - _e290)) + (_e1316 * (_e1329.y - _e329))) + (_e1319 * (_e1329.z - _e367)));
-                                                                        let _e1345 = (((_e1311 * _e315) + (_e1316 * _e353)) + (_e1319 * _e391));
-                                                                        let _e1346 = (_e1292 - _e1296);
-                                                                        let _e1347 = (_e1290 - _e1294);
-                                                                        let _e1355 = (-(((_e1296 * _e1346) + (_e1294 * _e1347))) / ((_e1346 * _e1346) + (_e1347 * _e1347)));
-                                                                        let _e1357 = select(1f, _e1355, (_e1355 < 1f));
-                                                                        let _e1359 = select(0f, _e1357, (_e1357 > 0f));
-                                                                        let _e1372 = ((_e1298.x + (_e1304.x * _e1359)) - _e290);
-                                                                        let _e1373 = ((_e1298.y + (_e1304.y * _e1359)) - _e329);
-                                                                        let _e1374 = ((_e1298.z + (_e1304.z * _e1359)) - _e367);
-                                                                        let _e1375 = (_e1374 / _e391);
-                                                                        let _e1387 = bitcast<f32>((bitcast<u32>(_e1372) & 2147483647u));
-                                                                        let _e1390 = bitcast<f32>((bitcast<u32>(_e1373) & 2147483647u));
-                                                                        let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
-                                                                        let _e1395 = bitcast<f32>((bitcast<u32>(_e1374) & 2147483647u));
-                                                                        let _e1397 = select(_e1395, _e1392, (_e1392 > _e1395));
-                                                                        let _e1403 = bitcast<f32>((bitcast<u32>(_e1311) & 2147483647u));
-                                                                        let _e1406 = bitcast<f32>((bitcast<u32>(_e1316) & 2147483647u));
-                                                                        let _e1408 = select(_e1406, _e1403, (_e1403 > _e1406));
-                                                                        let _e1411 = bitcast<f32>((bitcast<u32>(_e1319) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1311 * _e1372) + (_e1316 * _e1373)) + (_e1319 * _e1374)) - _e1340)) & 2147483647u)) <= ((0.0000009536743f * select(_e1277, _e1397, (_e1397 > _e1277))) * select(_e1411, _e1408, (_e1408 > _e1411)))) {
-                                                                            let _e1421 = bitcast<f32>((bitcast<u32>(_e1302.x) & 2147483647u));
-                                                                            let _e1424 = bitcast<f32>((bitcast<u32>(_e1302.y) & 2147483647u));
-                                                                            let _e1426 = select(_e1424, _e1421, (_e1421 > _e1424));
-                                                                            let _e1429 = bitcast<f32>((bitcast<u32>(_e1302.z) & 2147483647u));
-                                                                            let _e1435 = bitcast<f32>((bitcast<u32>(_e1300.x) & 2147483647u));
-                                                                            let _e1438 = bitcast<f32>((bitcast<u32>(_e1300.y) & 2147483647u));
-                                                                            let _e1440 = select(_e1438, _e1435, (_e1435 > _e1438));
-                                                                            let _e1443 = bitcast<f32>((bitcast<u32>(_e1300.z) & 2147483647u));
-                                                                            let _e1447 = (bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u)) > ((0.0000038146973f * select(_e1429, _e1426, (_e1426 > _e1429))) * select(_e1443, _e1440, (_e1440 > _e1443))));
-                                                                            if _e1447 {
-                                                                                phi_1968_ = (_e1340 / _e1345);
+                                                                        let _e1530 = phi_2043_;
+                                                                        let _e1541 = (((_e1512 * (_e1530.x - _e309)) + (_e1517 * (_e1530.y - _e378))) + (_e1520 * (_e1530.z - _e446)));
+                                                                        let _e1546 = (((_e1512 * _e349) + (_e1517 * _e417)) + (_e1520 * _e485));
+                                                                        let _e1547 = (_e1493 - _e1497);
+                                                                        let _e1548 = (_e1491 - _e1495);
+                                                                        let _e1556 = (-(((_e1497 * _e1547) + (_e1495 * _e1548))) / ((_e1547 * _e1547) + (_e1548 * _e1548)));
+                                                                        let _e1558 = select(1f, _e1556, (_e1556 < 1f));
+                                                                        let _e1560 = select(0f, _e1558, (_e1558 > 0f));
+                                                                        let _e1573 = ((_e1499.x + (_e1505.x * _e1560)) - _e309);
+                                                                        let _e1574 = ((_e1499.y + (_e1505.y * _e1560)) - _e378);
+                                                                        let _e1575 = ((_e1499.z + (_e1505.z * _e1560)) - _e446);
+                                                                        let _e1576 = (_e1575 / _e485);
+                                                                        let _e1588 = bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u));
+                                                                        let _e1591 = bitcast<f32>((bitcast<u32>(_e1574) & 2147483647u));
+                                                                        let _e1593 = select(_e1591, _e1588, (_e1588 > _e1591));
+                                                                        let _e1596 = bitcast<f32>((bitcast<u32>(_e1575) & 2147483647u));
+                                                                        let _e1598 = select(_e1596, _e1593, (_e1593 > _e1596));
+                                                                        let _e1604 = bitcast<f32>((bitcast<u32>(_e1512) & 2147483647u));
+                                                                        let _e1607 = bitcast<f32>((bitcast<u32>(_e1517) & 2147483647u));
+                                                                        let _e1609 = select(_e1607, _e1604, (_e1604 > _e1607));
+                                                                        let _e1612 = bitcast<f32>((bitcast<u32>(_e1520) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1512 * _e1573) + (_e1517 * _e1574)) + (_e1520 * _e1575)) - _e1541)) & 2147483647u)) <= ((0.0000009536743f * select(_e1478, _e1598, (_e1598 > _e1478))) * select(_e1612, _e1609, (_e1609 > _e1612)))) {
+                                                                            let _e1622 = bitcast<f32>((bitcast<u32>(_e1503.x) & 2147483647u));
+                                                                            let _e1625 = bitcast<f32>((bitcast<u32>(_e1503.y) & 2147483647u));
+                                                                            let _e1627 = select(_e1625, _e1622, (_e1622 > _e1625));
+                                                                            let _e1630 = bitcast<f32>((bitcast<u32>(_e1503.z) & 2147483647u));
+                                                                            let _e1636 = bitcast<f32>((bitcast<u32>(_e1501.x) & 2147483647u));
+                                                                            let _e1639 = bitcast<f32>((bitcast<u32>(_e1501.y) & 2147483647u));
+                                                                            let _e1641 = select(_e1639, _e1636, (_e1636 > _e1639));
+                                                                            let _e1644 = bitcast<f32>((bitcast<u32>(_e1501.z) & 2147483647u));
+                                                                            let _e1648 = (bitcast<f32>((bitcast<u32>(_e1546) & 2147483647u)) > ((0.0000038146973f * select(_e1630, _e1627, (_e1627 > _e1630))) * select(_e1644, _e1641, (_e1641 > _e1644))));
+                                                                            if _e1648 {
+                                                                                phi_2208_ = (_e1541 / _e1546);
                                                                             } else {
-                                                                                phi_1968_ = f32();
+                                                                                phi_2208_ = f32();
                                                                             }
-                                                                            let _e1450 = phi_1968_;
-                                                                            phi_1970_ = _e1450;
-                                                                            phi_1971_ = select(true, false, _e1447);
+                                                                            let _e1651 = phi_2208_;
+                                                                            phi_2210_ = _e1651;
+                                                                            phi_2211_ = select(true, false, _e1648);
                                                                         } else {
-                                                                            phi_1970_ = f32();
-                                                                            phi_1971_ = true;
+                                                                            phi_2210_ = f32();
+                                                                            phi_2211_ = true;
                                                                         }
-                                                                        let _e1453 = phi_1970_;
-                                                                        let _e1455 = phi_1971_;
-                                                                        if _e1455 {
-                                                                            let _e1463 = (((_e1311 * (_e1372 - (_e315 * _e1375))) + (_e1316 * (_e1373 - (_e353 * _e1375)))) / _e1345);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1463) & 2147483647u)) <= _e1277) {
-                                                                                phi_1991_ = (_e1375 + _e1463);
+                                                                        let _e1654 = phi_2210_;
+                                                                        let _e1656 = phi_2211_;
+                                                                        if _e1656 {
+                                                                            let _e1664 = (((_e1512 * (_e1573 - (_e349 * _e1576))) + (_e1517 * (_e1574 - (_e417 * _e1576)))) / _e1546);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1664) & 2147483647u)) <= _e1478) {
+                                                                                phi_2231_ = (_e1576 + _e1664);
                                                                             } else {
-                                                                                phi_1991_ = _e1375;
+                                                                                phi_2231_ = _e1576;
                                                                             }
-                                                                            let _e1470 = phi_1991_;
-                                                                            phi_1992_ = _e1470;
+                                                                            let _e1671 = phi_2231_;
+                                                                            phi_2232_ = _e1671;
                                                                         } else {
-                                                                            phi_1992_ = _e1453;
+                                                                            phi_2232_ = _e1654;
                                                                         }
-                                                                        let _e1472 = phi_1992_;
-                                                                        let _e1474 = select(_e1210, _e1472, (_e1472 < _e1210));
-                                                                        let _e1476 = select(_e1202, _e1474, (_e1474 > _e1202));
-                                                                        if (_e1476 >= _e441) {
-                                                                            let _e1478 = (_e1476 <= _e880.member.member_1);
-                                                                            if _e1478 {
-                                                                                let _e1479 = (1f / _e1129);
-                                                                                phi_2015_ = type_21(_e1476, (_e1123 * _e1479), (_e1127 * _e1479), _e914);
+                                                                        let _e1673 = phi_2232_;
+                                                                        let _e1675 = select(_e1411, _e1673, (_e1673 < _e1411));
+                                                                        let _e1677 = select(_e1403, _e1675, (_e1675 > _e1403));
+                                                                        if (_e1677 >= _e600) {
+                                                                            let _e1679 = (_e1677 <= _e1063.member.member_1);
+                                                                            if _e1679 {
+                                                                                let _e1680 = (1f / _e1330);
+                                                                                phi_2255_ = type_21(_e1677, (_e1324 * _e1680), (_e1328 * _e1680), _e1097);
                                                                             } else {
-                                                                                phi_2015_ = type_21();
+                                                                                phi_2255_ = type_21();
                                                                             }
-                                                                            let _e1484 = phi_2015_;
-                                                                            phi_2017_ = _e1484;
-                                                                            phi_2018_ = select(true, false, _e1478);
+                                                                            let _e1685 = phi_2255_;
+                                                                            phi_2257_ = _e1685;
+                                                                            phi_2258_ = select(true, false, _e1679);
                                                                         } else {
-                                                                            phi_2017_ = type_21();
-                                                                            phi_2018_ = true;
+                                                                            phi_2257_ = type_21();
+                                                                            phi_2258_ = true;
                                                                         }
-                                                                        let _e1487 = phi_2017_;
-                                                                        let _e1489 = phi_2018_;
-                                                                        if _e1489 {
-                                                                            phi_2022_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1688 = phi_2257_;
+                                                                        let _e1690 = phi_2258_;
+                                                                        if _e1690 {
+                                                                            phi_2262_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2022_ = _e1487;
+                                                                            phi_2262_ = _e1688;
                                                                         }
-                                                                        let _e1491 = phi_2022_;
-                                                                        phi_2023_ = _e1491;
+                                                                        let _e1692 = phi_2262_;
+                                                                        phi_2263_ = _e1692;
                                                                     }
-                                                                    let _e1493 = phi_2023_;
-                                                                    phi_2024_ = _e1493;
-                                                                    phi_2025_ = _e1219;
+                                                                    let _e1694 = phi_2263_;
+                                                                    phi_2264_ = _e1694;
+                                                                    phi_2265_ = _e1420;
                                                                 }
-                                                                let _e1495 = phi_2024_;
-                                                                let _e1497 = phi_2025_;
-                                                                phi_2029_ = _e1495;
-                                                                phi_2030_ = _e1497;
+                                                                let _e1696 = phi_2264_;
+                                                                let _e1698 = phi_2265_;
+                                                                phi_2269_ = _e1696;
+                                                                phi_2270_ = _e1698;
                                                             }
-                                                            let _e1499 = phi_2029_;
-                                                            let _e1501 = phi_2030_;
-                                                            phi_2031_ = _e1499;
-                                                            phi_2032_ = _e1154;
-                                                            phi_2033_ = _e1501;
+                                                            let _e1700 = phi_2269_;
+                                                            let _e1702 = phi_2270_;
+                                                            phi_2271_ = _e1700;
+                                                            phi_2272_ = _e1355;
+                                                            phi_2273_ = _e1702;
                                                         }
-                                                        let _e1503 = phi_2031_;
-                                                        let _e1505 = phi_2032_;
-                                                        let _e1507 = phi_2033_;
-                                                        phi_2034_ = _e1503;
-                                                        phi_2035_ = _e1505;
-                                                        phi_2036_ = _e1507;
+                                                        let _e1704 = phi_2271_;
+                                                        let _e1706 = phi_2272_;
+                                                        let _e1708 = phi_2273_;
+                                                        phi_2274_ = _e1704;
+                                                        phi_2275_ = _e1706;
+                                                        phi_2276_ = _e1708;
                                                     }
-                                                    let _e1509 = phi_2034_;
-                                                    let _e1511 = phi_2035_;
-                                                    let _e1513 = phi_2036_;
-                                                    phi_2044_ = _e1509;
-                                                    phi_2045_ = select(_e1513, true, _e1511);
+                                                    let _e1710 = phi_2274_;
+                                                    let _e1712 = phi_2275_;
+                                                    let _e1714 = phi_2276_;
+                                                    phi_2284_ = _e1710;
+                                                    phi_2285_ = select(_e1714, true, _e1712);
                                                 } else {
-                                                    phi_2044_ = type_21();
-                                                    phi_2045_ = true;
+                                                    phi_2284_ = type_21();
+                                                    phi_2285_ = true;
                                                 }
-                                                let _e1516 = phi_2044_;
-                                                let _e1518 = phi_2045_;
-                                                if _e1518 {
-                                                    phi_2049_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1717 = phi_2284_;
+                                                let _e1719 = phi_2285_;
+                                                if _e1719 {
+                                                    phi_2289_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2049_ = _e1516;
+                                                    phi_2289_ = _e1717;
                                                 }
-                                                let _e1520 = phi_2049_;
-                                                if (_e1520.member_3 != 4294967295u) {
-                                                    if (_e914 != 4294967295u) {
-                                                        if (_e1520.member < _e880.member.member.member) {
-                                                            phi_2075_ = true;
+                                                let _e1721 = phi_2289_;
+                                                if (_e1721.member_3 != 4294967295u) {
+                                                    if (_e1097 != 4294967295u) {
+                                                        if (_e1721.member < _e1063.member.member.member) {
+                                                            phi_2315_ = true;
                                                         } else {
-                                                            if (_e1520.member == _e880.member.member.member) {
-                                                                phi_2074_ = (_e1520.member_3 < _e880.member.member.member_3);
+                                                            if (_e1721.member == _e1063.member.member.member) {
+                                                                phi_2314_ = (_e1721.member_3 < _e1063.member.member.member_3);
                                                             } else {
-                                                                phi_2074_ = false;
+                                                                phi_2314_ = false;
                                                             }
-                                                            let _e1535 = phi_2074_;
-                                                            phi_2075_ = _e1535;
+                                                            let _e1736 = phi_2314_;
+                                                            phi_2315_ = _e1736;
                                                         }
-                                                        let _e1537 = phi_2075_;
-                                                        if _e1537 {
-                                                            phi_2082_ = type_33(type_28(_e1520, _e1520.member), _e907.member_1, _e907.member_2);
+                                                        let _e1738 = phi_2315_;
+                                                        if _e1738 {
+                                                            phi_2322_ = type_33(type_28(_e1721, _e1721.member), _e1090.member_1, _e1090.member_2);
                                                         } else {
-                                                            phi_2082_ = _e907;
+                                                            phi_2322_ = _e1090;
                                                         }
-                                                        let _e1544 = phi_2082_;
-                                                        phi_2083_ = _e1544;
+                                                        let _e1745 = phi_2322_;
+                                                        phi_2323_ = _e1745;
                                                     } else {
-                                                        phi_2083_ = _e907;
+                                                        phi_2323_ = _e1090;
                                                     }
-                                                    let _e1546 = phi_2083_;
-                                                    phi_2084_ = _e1546;
+                                                    let _e1747 = phi_2323_;
+                                                    phi_2324_ = _e1747;
                                                 } else {
-                                                    phi_2084_ = _e907;
+                                                    phi_2324_ = _e1090;
                                                 }
-                                                let _e1548 = phi_2084_;
-                                                phi_905_ = _e1548;
+                                                let _e1749 = phi_2324_;
+                                                phi_1127_ = _e1749;
                                             } else {
-                                                phi_905_ = type_33();
+                                                phi_1127_ = type_33();
                                             }
-                                            let _e1550 = phi_905_;
+                                            let _e1751 = phi_1127_;
                                             continue;
                                             continuing {
-                                                phi_904_ = _e1550;
-                                                phi_907_ = _e895;
-                                                phi_3104_ = _e474;
-                                                break if !(_e901);
+                                                phi_1126_ = _e1751;
+                                                phi_1129_ = _e1078;
+                                                phi_3368_ = _e633;
+                                                break if !(_e1084);
                                             }
                                         }
-                                        let _e1553 = phi_3104_;
-                                        phi_3264_ = _e1553;
-                                        if _e1553 {
+                                        let _e1754 = phi_3368_;
+                                        phi_3546_ = _e1754;
+                                        if _e1754 {
                                             break;
                                         }
-                                        phi_3268_ = _e1553;
-                                        let _e1718 = local_12;
-                                        phi_3036_ = _e1718;
-                                        phi_3037_ = _e516;
-                                        phi_3038_ = false;
-                                        phi_3039_ = _e520;
+                                        phi_3550_ = _e1754;
+                                        let _e1925 = local_12;
+                                        phi_3300_ = _e1925;
+                                        phi_3301_ = _e675;
+                                        phi_3302_ = false;
+                                        phi_3303_ = _e679;
                                     } else {
-                                        let _e536 = (_e516.member_1 < _e78);
-                                        if _e536 {
-                                            if _e536 {
+                                        let _e695 = (_e675.member_1 < _e82);
+                                        if _e695 {
+                                            if _e695 {
                                             } else {
-                                                phi_3264_ = true;
+                                                phi_3546_ = true;
                                                 break;
                                             }
-                                            let _e538 = global_4.member[_e516.member_1];
-                                            phi_2106_ = _e538;
+                                            let _e697 = global_4.member[_e675.member_1];
+                                            phi_2346_ = _e697;
                                         } else {
-                                            phi_2106_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2346_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e540 = phi_2106_;
-                                        let _e555 = ((10u * _e241) & 31u);
-                                        let _e558 = ((_e540.member[0] >> bitcast<u32>(_e555)) & 1023u);
-                                        let _e563 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[0] - _e516.member.member[0]) * 0.0009775171f)) ^ _e113));
-                                        let _e569 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e558) * _e563)) ^ _e113)));
-                                        let _e573 = select(select(_e516.member.member_1[0], _e569, (_e569 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e558 == 1023u));
-                                        let _e575 = ((10u * _e240) & 31u);
-                                        let _e578 = ((_e540.member[0] >> bitcast<u32>(_e575)) & 1023u);
-                                        let _e583 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[1] - _e516.member.member[1]) * 0.0009775171f)) ^ _e113));
-                                        let _e589 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e578) * _e583)) ^ _e113)));
-                                        let _e593 = select(select(_e516.member.member_1[1], _e589, (_e589 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e578 == 1023u));
-                                        let _e595 = ((10u * _e242) & 31u);
-                                        let _e598 = ((_e540.member[0] >> bitcast<u32>(_e595)) & 1023u);
-                                        let _e603 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[2] - _e516.member.member[2]) * 0.0009775171f)) ^ _e113));
-                                        let _e609 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e598) * _e603)) ^ _e113)));
-                                        let _e613 = select(select(_e516.member.member_1[2], _e609, (_e609 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e598 == 1023u));
-                                        let _e616 = ((_e540.member[1] >> bitcast<u32>(_e555)) & 1023u);
-                                        let _e622 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e616) * _e563)) ^ _e113)));
-                                        let _e626 = select(select(_e516.member.member_1[0], _e622, (_e622 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e616 == 1023u));
-                                        let _e629 = ((_e540.member[1] >> bitcast<u32>(_e575)) & 1023u);
-                                        let _e635 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e629) * _e583)) ^ _e113)));
-                                        let _e639 = select(select(_e516.member.member_1[1], _e635, (_e635 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e629 == 1023u));
-                                        let _e642 = ((_e540.member[1] >> bitcast<u32>(_e595)) & 1023u);
-                                        let _e648 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e642) * _e603)) ^ _e113)));
-                                        let _e652 = select(select(_e516.member.member_1[2], _e648, (_e648 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e642 == 1023u));
-                                        let _e658 = ((_e540.member_1[0] >> bitcast<u32>(_e555)) & 1023u);
-                                        let _e664 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e658) * _e563)) ^ _e113)));
-                                        let _e668 = select(select(_e516.member.member_1[0], _e664, (_e664 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e658 == 1023u));
-                                        let _e671 = ((_e540.member_1[0] >> bitcast<u32>(_e575)) & 1023u);
-                                        let _e677 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e671) * _e583)) ^ _e113)));
-                                        let _e681 = select(select(_e516.member.member_1[1], _e677, (_e677 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e671 == 1023u));
-                                        let _e684 = ((_e540.member_1[0] >> bitcast<u32>(_e595)) & 1023u);
-                                        let _e690 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e684) * _e603)) ^ _e113)));
-                                        let _e694 = select(select(_e516.member.member_1[2], _e690, (_e690 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e684 == 1023u));
-                                        let _e697 = ((_e540.member_1[1] >> bitcast<u32>(_e555)) & 1023u);
-                                        let _e703 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e697) * _e563)) ^ _e113)));
-                                        let _e707 = select(select(_e516.member.member_1[0], _e703, (_e703 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e697 == 1023u));
-                                        let _e710 = ((_e540.member_1[1] >> bitcast<u32>(_e575)) & 1023u);
-                                        let _e716 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e710) * _e583)) ^ _e113)));
-                                        let _e720 = select(select(_e516.member.member_1[1], _e716, (_e716 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e710 == 1023u));
-                                        let _e723 = ((_e540.member_1[1] >> bitcast<u32>(_e595)) & 1023u);
-                                        let _e729 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e723) * _e603)) ^ _e113)));
-                                        let _e733 = select(select(_e516.member.member_1[2], _e729, (_e729 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e723 == 1023u));
-                                        let _e738 = type_50(type_42(array<f32, 3>(_e573, _e593, _e613), array<f32, 3>(_e626, _e639, _e652)), _e540.member_2);
-                                        let _e743 = type_50(type_42(array<f32, 3>(_e668, _e681, _e694), array<f32, 3>(_e707, _e720, _e733)), _e540.member_3);
-                                        let _e750 = ((_e573 - _e313) * _e318);
-                                        let _e751 = ((_e668 - _e313) * _e318);
-                                        let _e752 = ((_e626 - _e314) * _e318);
-                                        let _e753 = ((_e707 - _e314) * _e318);
-                                        let _e758 = ((_e593 - _e351) * _e356);
-                                        let _e759 = ((_e681 - _e351) * _e356);
-                                        let _e760 = ((_e639 - _e352) * _e356);
-                                        let _e761 = ((_e720 - _e352) * _e356);
-                                        let _e766 = ((_e613 - _e389) * _e394);
-                                        let _e767 = ((_e694 - _e389) * _e394);
-                                        let _e768 = ((_e652 - _e390) * _e394);
-                                        let _e769 = ((_e733 - _e390) * _e394);
-                                        let _e771 = select(_e768, _e766, (_e766 < _e768));
-                                        let _e773 = select(_e769, _e767, (_e767 < _e769));
-                                        let _e775 = select(_e768, _e766, (_e766 > _e768));
-                                        let _e777 = select(_e769, _e767, (_e767 > _e769));
-                                        let _e779 = select(_e752, _e750, (_e750 < _e752));
-                                        let _e781 = select(_e753, _e751, (_e751 < _e753));
-                                        let _e783 = select(_e760, _e758, (_e758 < _e760));
-                                        let _e785 = select(_e761, _e759, (_e759 < _e761));
-                                        let _e787 = select(_e783, _e779, (_e779 > _e783));
-                                        let _e789 = select(_e785, _e781, (_e781 > _e785));
-                                        let _e791 = select(_e771, _e787, (_e787 > _e771));
-                                        let _e793 = select(_e773, _e789, (_e789 > _e773));
-                                        let _e795 = select(_e752, _e750, (_e750 > _e752));
-                                        let _e797 = select(_e753, _e751, (_e751 > _e753));
-                                        let _e799 = select(_e760, _e758, (_e758 > _e760));
-                                        let _e801 = select(_e761, _e759, (_e759 > _e761));
-                                        let _e803 = select(_e799, _e795, (_e795 < _e799));
-                                        let _e805 = select(_e801, _e797, (_e797 < _e801));
-                                        let _e810 = -(_e771);
-                                        let _e811 = -(_e773);
-                                        let _e818 = (select(_e775, _e803, (_e803 < _e775)) + (select(_e810, _e775, (_e775 > _e810)) * 0.0000019073523f));
-                                        let _e819 = (select(_e777, _e805, (_e805 < _e777)) + (select(_e811, _e777, (_e777 > _e811)) * 0.0000019073523f));
-                                        let _e821 = select(_e441, _e791, (_e791 > _e441));
-                                        let _e823 = select(_e441, _e793, (_e793 > _e441));
-                                        let _e828 = (_e821 <= select(_e476.member.member_1, _e818, (_e818 < _e476.member.member_1)));
-                                        let _e829 = (_e823 <= select(_e476.member.member_1, _e819, (_e819 < _e476.member.member_1)));
-                                        let _e830 = (_e821 <= _e823);
-                                        if _e828 {
-                                            if _e829 {
-                                                if _e830 {
-                                                    phi_2938_ = _e743;
+                                        let _e699 = phi_2346_;
+                                        let _e714 = ((10u * _e245) & 31u);
+                                        let _e717 = ((_e699.member[0] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e725 = bitcast<f32>((bitcast<u32>(((_e675.member.member_1[0] - _e675.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                        let _e730 = (_e675.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e717)) - 8388608f) * _e725)) ^ _e117)));
+                                        let _e734 = select(select(_e675.member.member_1[0], _e730, (_e730 < _e675.member.member_1[0])), _e675.member.member_1[0], (_e717 == 1023u));
+                                        let _e736 = ((10u * _e244) & 31u);
+                                        let _e739 = ((_e699.member[0] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e747 = bitcast<f32>((bitcast<u32>(((_e675.member.member_1[1] - _e675.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                        let _e752 = (_e675.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e739)) - 8388608f) * _e747)) ^ _e117)));
+                                        let _e756 = select(select(_e675.member.member_1[1], _e752, (_e752 < _e675.member.member_1[1])), _e675.member.member_1[1], (_e739 == 1023u));
+                                        let _e758 = ((10u * _e246) & 31u);
+                                        let _e761 = ((_e699.member[0] >> bitcast<u32>(_e758)) & 1023u);
+                                        let _e769 = bitcast<f32>((bitcast<u32>(((_e675.member.member_1[2] - _e675.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                        let _e774 = (_e675.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e761)) - 8388608f) * _e769)) ^ _e117)));
+                                        let _e778 = select(select(_e675.member.member_1[2], _e774, (_e774 < _e675.member.member_1[2])), _e675.member.member_1[2], (_e761 == 1023u));
+                                        let _e781 = ((_e699.member[1] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e789 = (_e675.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e781)) - 8388608f) * _e725)) ^ _e117)));
+                                        let _e793 = select(select(_e675.member.member_1[0], _e789, (_e789 < _e675.member.member_1[0])), _e675.member.member_1[0], (_e781 == 1023u));
+                                        let _e796 = ((_e699.member[1] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e804 = (_e675.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e796)) - 8388608f) * _e747)) ^ _e117)));
+                                        let _e808 = select(select(_e675.member.member_1[1], _e804, (_e804 < _e675.member.member_1[1])), _e675.member.member_1[1], (_e796 == 1023u));
+                                        let _e811 = ((_e699.member[1] >> bitcast<u32>(_e758)) & 1023u);
+                                        let _e819 = (_e675.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e811)) - 8388608f) * _e769)) ^ _e117)));
+                                        let _e823 = select(select(_e675.member.member_1[2], _e819, (_e819 < _e675.member.member_1[2])), _e675.member.member_1[2], (_e811 == 1023u));
+                                        let _e829 = ((_e699.member_1[0] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e837 = (_e675.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e829)) - 8388608f) * _e725)) ^ _e117)));
+                                        let _e841 = select(select(_e675.member.member_1[0], _e837, (_e837 < _e675.member.member_1[0])), _e675.member.member_1[0], (_e829 == 1023u));
+                                        let _e844 = ((_e699.member_1[0] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e852 = (_e675.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e844)) - 8388608f) * _e747)) ^ _e117)));
+                                        let _e856 = select(select(_e675.member.member_1[1], _e852, (_e852 < _e675.member.member_1[1])), _e675.member.member_1[1], (_e844 == 1023u));
+                                        let _e859 = ((_e699.member_1[0] >> bitcast<u32>(_e758)) & 1023u);
+                                        let _e867 = (_e675.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e859)) - 8388608f) * _e769)) ^ _e117)));
+                                        let _e871 = select(select(_e675.member.member_1[2], _e867, (_e867 < _e675.member.member_1[2])), _e675.member.member_1[2], (_e859 == 1023u));
+                                        let _e874 = ((_e699.member_1[1] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e882 = (_e675.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e874)) - 8388608f) * _e725)) ^ _e117)));
+                                        let _e886 = select(select(_e675.member.member_1[0], _e882, (_e882 < _e675.member.member_1[0])), _e675.member.member_1[0], (_e874 == 1023u));
+                                        let _e889 = ((_e699.member_1[1] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e897 = (_e675.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e889)) - 8388608f) * _e747)) ^ _e117)));
+                                        let _e901 = select(select(_e675.member.member_1[1], _e897, (_e897 < _e675.member.member_1[1])), _e675.member.member_1[1], (_e889 == 1023u));
+                                        let _e904 = ((_e699.member_1[1] >> bitcast<u32>(_e758)) & 1023u);
+                                        let _e912 = (_e675.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e904)) - 8388608f) * _e769)) ^ _e117)));
+                                        let _e916 = select(select(_e675.member.member_1[2], _e912, (_e912 < _e675.member.member_1[2])), _e675.member.member_1[2], (_e904 == 1023u));
+                                        let _e921 = type_50(type_42(array<f32, 3>(_e734, _e756, _e778), array<f32, 3>(_e793, _e808, _e823)), _e699.member_2);
+                                        let _e926 = type_50(type_42(array<f32, 3>(_e841, _e856, _e871), array<f32, 3>(_e886, _e901, _e916)), _e699.member_3);
+                                        let _e933 = ((_e734 - _e347) * _e352);
+                                        let _e934 = ((_e841 - _e347) * _e352);
+                                        let _e935 = ((_e793 - _e348) * _e352);
+                                        let _e936 = ((_e886 - _e348) * _e352);
+                                        let _e941 = ((_e756 - _e415) * _e420);
+                                        let _e942 = ((_e856 - _e415) * _e420);
+                                        let _e943 = ((_e808 - _e416) * _e420);
+                                        let _e944 = ((_e901 - _e416) * _e420);
+                                        let _e949 = ((_e778 - _e483) * _e488);
+                                        let _e950 = ((_e871 - _e483) * _e488);
+                                        let _e951 = ((_e823 - _e484) * _e488);
+                                        let _e952 = ((_e916 - _e484) * _e488);
+                                        let _e954 = select(_e951, _e949, (_e949 < _e951));
+                                        let _e956 = select(_e952, _e950, (_e950 < _e952));
+                                        let _e958 = select(_e951, _e949, (_e949 > _e951));
+                                        let _e960 = select(_e952, _e950, (_e950 > _e952));
+                                        let _e962 = select(_e935, _e933, (_e933 < _e935));
+                                        let _e964 = select(_e936, _e934, (_e934 < _e936));
+                                        let _e966 = select(_e943, _e941, (_e941 < _e943));
+                                        let _e968 = select(_e944, _e942, (_e942 < _e944));
+                                        let _e970 = select(_e966, _e962, (_e962 > _e966));
+                                        let _e972 = select(_e968, _e964, (_e964 > _e968));
+                                        let _e974 = select(_e954, _e970, (_e970 > _e954));
+                                        let _e976 = select(_e956, _e972, (_e972 > _e956));
+                                        let _e978 = select(_e935, _e933, (_e933 > _e935));
+                                        let _e980 = select(_e936, _e934, (_e934 > _e936));
+                                        let _e982 = select(_e943, _e941, (_e941 > _e943));
+                                        let _e984 = select(_e944, _e942, (_e942 > _e944));
+                                        let _e986 = select(_e982, _e978, (_e978 < _e982));
+                                        let _e988 = select(_e984, _e980, (_e980 < _e984));
+                                        let _e993 = -(_e954);
+                                        let _e994 = -(_e956);
+                                        let _e1001 = (select(_e958, _e986, (_e986 < _e958)) + (select(_e993, _e958, (_e958 > _e993)) * 0.0000019073523f));
+                                        let _e1002 = (select(_e960, _e988, (_e988 < _e960)) + (select(_e994, _e960, (_e960 > _e994)) * 0.0000019073523f));
+                                        let _e1004 = select(_e600, _e974, (_e974 > _e600));
+                                        let _e1006 = select(_e600, _e976, (_e976 > _e600));
+                                        let _e1011 = (_e1004 <= select(_e635.member.member_1, _e1001, (_e1001 < _e635.member.member_1)));
+                                        let _e1012 = (_e1006 <= select(_e635.member.member_1, _e1002, (_e1002 < _e635.member.member_1)));
+                                        let _e1013 = (_e1004 <= _e1006);
+                                        if _e1011 {
+                                            if _e1012 {
+                                                if _e1013 {
+                                                    phi_3202_ = _e926;
                                                 } else {
-                                                    phi_2938_ = _e738;
+                                                    phi_3202_ = _e921;
                                                 }
-                                                let _e832 = phi_2938_;
-                                                let _e840 = (_e520 % 128u);
-                                                let _e841 = (_e840 < 128u);
-                                                if _e841 {
+                                                let _e1015 = phi_3202_;
+                                                let _e1023 = (_e679 % 128u);
+                                                let _e1024 = (_e1023 < 128u);
+                                                if _e1024 {
                                                 } else {
-                                                    phi_3264_ = true;
+                                                    phi_3546_ = true;
                                                     break;
                                                 }
-                                                local_6[_e840] = _e832.member_1;
-                                                if _e841 {
+                                                local_6[_e1023] = _e1015.member_1;
+                                                if _e1024 {
                                                 } else {
-                                                    phi_3264_ = true;
+                                                    phi_3546_ = true;
                                                     break;
                                                 }
-                                                local_5[_e840] = _e832.member.member[0];
-                                                if _e841 {
+                                                local_5[_e1023] = _e1015.member.member[0];
+                                                if _e1024 {
                                                 } else {
-                                                    phi_3264_ = true;
+                                                    phi_3546_ = true;
                                                     break;
                                                 }
-                                                local_4[_e840] = _e832.member.member[1];
-                                                if _e841 {
+                                                local_4[_e1023] = _e1015.member.member[1];
+                                                if _e1024 {
                                                 } else {
-                                                    phi_3264_ = true;
+                                                    phi_3546_ = true;
                                                     break;
                                                 }
-                                                local_3[_e840] = _e832.member.member[2];
-                                                if _e841 {
+                                                local_3[_e1023] = _e1015.member.member[2];
+                                                if _e1024 {
                                                 } else {
-                                                    phi_3264_ = true;
+                                                    phi_3546_ = true;
                                                     break;
                                                 }
-                                                local_2[_e840] = _e832.member.member_1[0];
-                                                if _e841 {
+                                                local_2[_e1023] = _e1015.member.member_1[0];
+                                                if _e1024 {
                                                 } else {
-                                                    phi_3264_ = true;
+                                                    phi_3546_ = true;
                                                     break;
                                                 }
-                                                local_1[_e840] = _e832.member.member_1[1];
-                                                if _e841 {
+                                                local_1[_e1023] = _e1015.member.member_1[1];
+                                                if _e1024 {
                                                 } else {
-                                                    phi_3264_ = true;
+                                                    phi_3546_ = true;
                                                     break;
                                                 }
-                                                local[_e840] = _e832.member.member_1[2];
-                                                if _e841 {
+                                                local[_e1023] = _e1015.member.member_1[2];
+                                                if _e1024 {
                                                 } else {
-                                                    phi_3264_ = true;
+                                                    phi_3546_ = true;
                                                     break;
                                                 }
-                                                local_7[_e840] = select(_e823, _e821, (_e821 > _e823));
-                                                if _e830 {
-                                                    phi_3015_ = _e738;
+                                                local_7[_e1023] = select(_e1006, _e1004, (_e1004 > _e1006));
+                                                if _e1013 {
+                                                    phi_3279_ = _e921;
                                                 } else {
-                                                    phi_3015_ = _e743;
+                                                    phi_3279_ = _e926;
                                                 }
-                                                let _e858 = phi_3015_;
-                                                phi_3016_ = _e858;
-                                                phi_3017_ = (_e520 + 1u);
+                                                let _e1041 = phi_3279_;
+                                                phi_3280_ = _e1041;
+                                                phi_3281_ = (_e679 + 1u);
                                             } else {
-                                                phi_3016_ = type_50();
-                                                phi_3017_ = u32();
+                                                phi_3280_ = type_50();
+                                                phi_3281_ = u32();
                                             }
-                                            let _e860 = phi_3016_;
-                                            let _e862 = phi_3017_;
-                                            phi_3019_ = _e860;
-                                            phi_3020_ = _e862;
-                                            phi_3021_ = select(true, false, _e829);
+                                            let _e1043 = phi_3280_;
+                                            let _e1045 = phi_3281_;
+                                            phi_3283_ = _e1043;
+                                            phi_3284_ = _e1045;
+                                            phi_3285_ = select(true, false, _e1012);
                                         } else {
-                                            phi_3019_ = type_50();
-                                            phi_3020_ = u32();
-                                            phi_3021_ = true;
+                                            phi_3283_ = type_50();
+                                            phi_3284_ = u32();
+                                            phi_3285_ = true;
                                         }
-                                        let _e865 = phi_3019_;
-                                        let _e867 = phi_3020_;
-                                        let _e869 = phi_3021_;
-                                        if _e869 {
-                                            if _e828 {
-                                                phi_3028_ = _e738;
+                                        let _e1048 = phi_3283_;
+                                        let _e1050 = phi_3284_;
+                                        let _e1052 = phi_3285_;
+                                        if _e1052 {
+                                            if _e1011 {
+                                                phi_3292_ = _e921;
                                             } else {
-                                                phi_3028_ = _e743;
+                                                phi_3292_ = _e926;
                                             }
-                                            let _e871 = phi_3028_;
-                                            phi_3033_ = _e871;
-                                            phi_3034_ = select(_e829, true, _e828);
+                                            let _e1054 = phi_3292_;
+                                            phi_3297_ = _e1054;
+                                            phi_3298_ = select(_e1012, true, _e1011);
                                         } else {
-                                            phi_3033_ = _e865;
-                                            phi_3034_ = _e518;
+                                            phi_3297_ = _e1048;
+                                            phi_3298_ = _e677;
                                         }
-                                        let _e874 = phi_3033_;
-                                        let _e876 = phi_3034_;
-                                        phi_3268_ = _e474;
-                                        phi_3036_ = type_33(_e476.member, (_e476.member_1 + 1u), _e476.member_2);
-                                        phi_3037_ = _e874;
-                                        phi_3038_ = _e876;
-                                        phi_3039_ = select(_e867, _e520, _e869);
+                                        let _e1057 = phi_3297_;
+                                        let _e1059 = phi_3298_;
+                                        phi_3550_ = _e633;
+                                        phi_3300_ = type_33(_e635.member, (_e635.member_1 + 1u), _e635.member_2);
+                                        phi_3301_ = _e1057;
+                                        phi_3302_ = _e1059;
+                                        phi_3303_ = select(_e1050, _e679, _e1052);
                                     }
-                                    let _e1555 = phi_3268_;
-                                    let _e1557 = phi_3036_;
-                                    let _e1559 = phi_3037_;
-                                    let _e1561 = phi_3038_;
-                                    let _e1563 = phi_3039_;
-                                    phi_3267_ = _e1555;
-                                    phi_3040_ = _e1557;
-                                    phi_3041_ = _e1559;
-                                    phi_3042_ = (_e480 - 1u);
-                                    phi_3043_ = _e1561;
-                                    phi_3044_ = _e1563;
+                                    let _e1756 = phi_3550_;
+                                    let _e1758 = phi_3300_;
+                                    let _e1760 = phi_3301_;
+                                    let _e1762 = phi_3302_;
+                                    let _e1764 = phi_3303_;
+                                    phi_3549_ = _e1756;
+                                    phi_3304_ = _e1758;
+                                    phi_3305_ = _e1760;
+                                    phi_3306_ = (_e639 - 1u);
+                                    phi_3307_ = _e1762;
+                                    phi_3308_ = _e1764;
                                 } else {
-                                    phi_3267_ = _e474;
-                                    phi_3040_ = _e476;
-                                    phi_3041_ = _e516;
-                                    phi_3042_ = _e480;
-                                    phi_3043_ = _e518;
-                                    phi_3044_ = _e520;
+                                    phi_3549_ = _e633;
+                                    phi_3304_ = _e635;
+                                    phi_3305_ = _e675;
+                                    phi_3306_ = _e639;
+                                    phi_3307_ = _e677;
+                                    phi_3308_ = _e679;
                                 }
-                                let _e1565 = phi_3267_;
-                                let _e1567 = phi_3040_;
-                                let _e1569 = phi_3041_;
-                                let _e1571 = phi_3042_;
-                                let _e1573 = phi_3043_;
-                                let _e1575 = phi_3044_;
-                                phi_3266_ = _e1565;
-                                phi_3045_ = _e1567;
-                                phi_3046_ = _e1569;
-                                phi_3047_ = _e1571;
-                                phi_3048_ = _e1573;
-                                phi_3049_ = _e1575;
+                                let _e1766 = phi_3549_;
+                                let _e1768 = phi_3304_;
+                                let _e1770 = phi_3305_;
+                                let _e1772 = phi_3306_;
+                                let _e1774 = phi_3307_;
+                                let _e1776 = phi_3308_;
+                                phi_3548_ = _e1766;
+                                phi_3309_ = _e1768;
+                                phi_3310_ = _e1770;
+                                phi_3311_ = _e1772;
+                                phi_3312_ = _e1774;
+                                phi_3313_ = _e1776;
                             } else {
-                                phi_3266_ = _e474;
-                                phi_3045_ = type_33();
-                                phi_3046_ = type_50();
-                                phi_3047_ = u32();
-                                phi_3048_ = bool();
-                                phi_3049_ = u32();
+                                phi_3548_ = _e633;
+                                phi_3309_ = type_33();
+                                phi_3310_ = type_50();
+                                phi_3311_ = u32();
+                                phi_3312_ = bool();
+                                phi_3313_ = u32();
                             }
-                            let _e1577 = phi_3266_;
-                            let _e1579 = phi_3045_;
-                            let _e1581 = phi_3046_;
-                            let _e1583 = phi_3047_;
-                            let _e1585 = phi_3048_;
-                            let _e1587 = phi_3049_;
-                            phi_3265_ = _e1577;
-                            phi_778_ = _e1579;
-                            phi_781_ = _e1581;
-                            phi_783_ = _e1583;
-                            phi_785_ = _e1585;
-                            phi_787_ = _e1587;
-                            phi_3050_ = _e488;
+                            let _e1778 = phi_3548_;
+                            let _e1780 = phi_3309_;
+                            let _e1782 = phi_3310_;
+                            let _e1784 = phi_3311_;
+                            let _e1786 = phi_3312_;
+                            let _e1788 = phi_3313_;
+                            phi_3547_ = _e1778;
+                            phi_1000_ = _e1780;
+                            phi_1003_ = _e1782;
+                            phi_1005_ = _e1784;
+                            phi_1007_ = _e1786;
+                            phi_1009_ = _e1788;
+                            phi_3314_ = _e647;
                         } else {
-                            phi_3265_ = _e474;
-                            phi_778_ = type_33();
-                            phi_781_ = type_50();
-                            phi_783_ = u32();
-                            phi_785_ = bool();
-                            phi_787_ = u32();
-                            phi_3050_ = false;
+                            phi_3547_ = _e633;
+                            phi_1000_ = type_33();
+                            phi_1003_ = type_50();
+                            phi_1005_ = u32();
+                            phi_1007_ = bool();
+                            phi_1009_ = u32();
+                            phi_3314_ = false;
                         }
-                        let _e1589 = phi_3265_;
-                        let _e1591 = phi_778_;
-                        let _e1593 = phi_781_;
-                        let _e1595 = phi_783_;
-                        let _e1597 = phi_785_;
-                        let _e1599 = phi_787_;
-                        let _e1601 = phi_3050_;
+                        let _e1790 = phi_3547_;
+                        let _e1792 = phi_1000_;
+                        let _e1794 = phi_1003_;
+                        let _e1796 = phi_1005_;
+                        let _e1798 = phi_1007_;
+                        let _e1800 = phi_1009_;
+                        let _e1802 = phi_3314_;
                         continue;
                         continuing {
-                            phi_3110_ = _e1589;
-                            phi_777_ = _e1591;
-                            phi_780_ = _e1593;
-                            phi_782_ = _e1595;
-                            phi_784_ = _e1597;
-                            phi_786_ = _e1599;
-                            phi_3264_ = _e1589;
-                            break if !(_e1601);
+                            phi_3374_ = _e1790;
+                            phi_999_ = _e1792;
+                            phi_1002_ = _e1794;
+                            phi_1004_ = _e1796;
+                            phi_1006_ = _e1798;
+                            phi_1008_ = _e1800;
+                            phi_3546_ = _e1790;
+                            break if !(_e1802);
                         }
                     }
-                    let _e1604 = phi_3264_;
-                    if _e1604 {
+                    let _e1805 = phi_3546_;
+                    if _e1805 {
                         break;
                     }
-                    let _e1606 = local_10;
-                    let _e1609 = local_11;
-                    if _e129 {
+                    let _e1807 = local_10;
+                    let _e1810 = local_11;
+                    if _e133 {
                     } else {
                         break;
                     }
-                    global_5.member[_e127][0u] = _e1606.member_1;
-                    global_5.member[_e127][1u] = _e1609.member_2;
+                    global_5.member[_e131][0u] = _e1807.member_1;
+                    global_5.member[_e131][1u] = _e1810.member_2;
                 }
             }
             break;

@@ -98,404 +98,464 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_382_: i32;
-    var phi_383_: i32;
-    var phi_393_: bool;
-    var phi_403_: u32;
-    var phi_404_: u32;
-    var phi_406_: bool;
-    var phi_411_: u32;
-    var phi_423_: i32;
-    var phi_443_: i32;
-    var phi_461_: f32;
-    var phi_467_: f32;
-    var phi_478_: f32;
-    var phi_484_: f32;
-    var phi_507_: f32;
-    var phi_518_: f32;
-    var phi_527_: f32;
-    var phi_533_: f32;
-    var phi_544_: f32;
-    var phi_550_: f32;
-    var phi_573_: f32;
-    var phi_584_: f32;
+    var phi_384_: i32;
+    var phi_385_: i32;
+    var phi_395_: bool;
+    var phi_405_: u32;
+    var phi_406_: u32;
+    var phi_408_: bool;
+    var phi_413_: u32;
+    var phi_425_: i32;
+    var phi_445_: i32;
+    var phi_463_: f32;
+    var phi_469_: f32;
+    var phi_509_: f32;
+    var phi_515_: f32;
+    var phi_567_: f32;
+    var phi_578_: f32;
+    var phi_587_: f32;
     var phi_593_: f32;
-    var phi_599_: f32;
-    var phi_610_: f32;
-    var phi_616_: f32;
+    var phi_633_: f32;
     var phi_639_: f32;
-    var phi_650_: f32;
-    var phi_750_: f32;
-    var phi_751_: f32;
-    var phi_3415_: bool;
-    var phi_841_: type_44;
-    var phi_844_: type_51;
-    var phi_846_: u32;
-    var phi_848_: bool;
-    var phi_850_: u32;
-    var phi_861_: bool;
-    var phi_947_: type_51;
-    var phi_948_: bool;
-    var phi_949_: u32;
-    var phi_2706_: u32;
-    var phi_2707_: u32;
-    var phi_2717_: u32;
-    var phi_2719_: u32;
-    var phi_2720_: bool;
-    var phi_2740_: u32;
-    var phi_2741_: u32;
-    var phi_2745_: type_52;
-    var phi_3089_: type_51;
-    var phi_3166_: type_51;
-    var phi_3167_: type_51;
-    var phi_3168_: u32;
-    var phi_3170_: type_51;
-    var phi_3171_: u32;
-    var phi_3172_: bool;
-    var phi_3181_: type_51;
-    var phi_3186_: type_51;
-    var phi_3187_: bool;
-    var phi_967_: type_44;
-    var phi_970_: type_4;
-    var phi_971_: type_4;
-    var phi_993_: type_4;
-    var phi_1017_: u32;
-    var phi_1106_: array<array<f32, 3>, 3>;
-    var phi_1223_: bool;
-    var phi_1252_: bool;
-    var phi_1653_: f32;
-    var phi_1654_: f32;
-    var phi_1655_: f32;
-    var phi_1656_: f32;
-    var phi_1657_: vec3<f32>;
-    var phi_1658_: vec3<f32>;
-    var phi_1659_: vec3<f32>;
-    var phi_1660_: vec3<f32>;
-    var phi_1691_: bool;
-    var phi_1700_: vec3<f32>;
-    var phi_1865_: f32;
-    var phi_1867_: f32;
-    var phi_1868_: bool;
-    var phi_1888_: f32;
-    var phi_1889_: f32;
-    var phi_1912_: type_29;
-    var phi_1914_: type_29;
-    var phi_1915_: bool;
-    var phi_1919_: type_29;
-    var phi_1920_: type_29;
-    var phi_1921_: type_29;
-    var phi_1922_: bool;
-    var phi_1926_: type_29;
-    var phi_1927_: bool;
-    var phi_1928_: type_29;
-    var phi_1929_: bool;
-    var phi_1930_: bool;
-    var phi_1931_: type_29;
-    var phi_1932_: bool;
-    var phi_1933_: bool;
-    var phi_1941_: type_29;
-    var phi_1942_: bool;
-    var phi_1946_: type_29;
-    var phi_1971_: bool;
-    var phi_1972_: bool;
-    var phi_1979_: type_44;
-    var phi_1980_: type_44;
-    var phi_1981_: type_44;
-    var phi_968_: type_44;
+    var phi_691_: f32;
+    var phi_702_: f32;
+    var phi_711_: f32;
+    var phi_717_: f32;
+    var phi_757_: f32;
+    var phi_763_: f32;
+    var phi_815_: f32;
+    var phi_826_: f32;
+    var phi_881_: i32;
+    var phi_903_: u32;
+    var phi_904_: u32;
+    var phi_941_: i32;
+    var phi_963_: u32;
+    var phi_964_: u32;
+    var phi_972_: f32;
+    var phi_973_: f32;
+    var phi_3645_: bool;
+    var phi_1063_: type_44;
+    var phi_1066_: type_51;
+    var phi_1068_: u32;
+    var phi_1070_: bool;
+    var phi_1072_: u32;
+    var phi_1083_: bool;
+    var phi_1169_: type_51;
+    var phi_1170_: bool;
+    var phi_1171_: u32;
+    var phi_2928_: u32;
+    var phi_2929_: u32;
+    var phi_2939_: u32;
+    var phi_2941_: u32;
+    var phi_2942_: bool;
+    var phi_2962_: u32;
+    var phi_2963_: u32;
+    var phi_2967_: type_52;
+    var phi_3311_: type_51;
+    var phi_3388_: type_51;
+    var phi_3389_: type_51;
+    var phi_3390_: u32;
+    var phi_3392_: type_51;
+    var phi_3393_: u32;
+    var phi_3394_: bool;
+    var phi_3403_: type_51;
+    var phi_3408_: type_51;
     var phi_3409_: bool;
-    var phi_3555_: bool;
-    var phi_3189_: type_44;
-    var phi_3190_: type_51;
-    var phi_3191_: bool;
-    var phi_3192_: u32;
-    var phi_3554_: bool;
-    var phi_3193_: type_44;
-    var phi_3194_: type_51;
-    var phi_3195_: u32;
-    var phi_3196_: bool;
-    var phi_3197_: u32;
-    var phi_3553_: bool;
-    var phi_3198_: type_44;
-    var phi_3199_: type_51;
-    var phi_3200_: u32;
-    var phi_3201_: bool;
-    var phi_3202_: u32;
-    var phi_3552_: bool;
-    var phi_842_: type_44;
-    var phi_845_: type_51;
-    var phi_847_: u32;
-    var phi_849_: bool;
-    var phi_851_: u32;
-    var phi_3203_: bool;
-    var phi_3551_: bool;
+    var phi_1189_: type_44;
+    var phi_1192_: type_4;
+    var phi_1193_: type_4;
+    var phi_1215_: type_4;
+    var phi_1239_: u32;
+    var phi_1328_: array<array<f32, 3>, 3>;
+    var phi_1445_: bool;
+    var phi_1474_: bool;
+    var phi_1875_: f32;
+    var phi_1876_: f32;
+    var phi_1877_: f32;
+    var phi_1878_: f32;
+    var phi_1879_: vec3<f32>;
+    var phi_1880_: vec3<f32>;
+    var phi_1881_: vec3<f32>;
+    var phi_1882_: vec3<f32>;
+    var phi_1913_: bool;
+    var phi_1922_: vec3<f32>;
+    var phi_2087_: f32;
+    var phi_2089_: f32;
+    var phi_2090_: bool;
+    var phi_2110_: f32;
+    var phi_2111_: f32;
+    var phi_2134_: type_29;
+    var phi_2136_: type_29;
+    var phi_2137_: bool;
+    var phi_2141_: type_29;
+    var phi_2142_: type_29;
+    var phi_2143_: type_29;
+    var phi_2144_: bool;
+    var phi_2148_: type_29;
+    var phi_2149_: bool;
+    var phi_2150_: type_29;
+    var phi_2151_: bool;
+    var phi_2152_: bool;
+    var phi_2153_: type_29;
+    var phi_2154_: bool;
+    var phi_2155_: bool;
+    var phi_2163_: type_29;
+    var phi_2164_: bool;
+    var phi_2168_: type_29;
+    var phi_2193_: bool;
+    var phi_2194_: bool;
+    var phi_2201_: type_44;
+    var phi_2202_: type_44;
+    var phi_2203_: type_44;
+    var phi_1190_: type_44;
+    var phi_3639_: bool;
+    var phi_3803_: bool;
+    var phi_3411_: type_44;
+    var phi_3412_: type_51;
+    var phi_3413_: bool;
+    var phi_3414_: u32;
+    var phi_3802_: bool;
+    var phi_3415_: type_44;
+    var phi_3416_: type_51;
+    var phi_3417_: u32;
+    var phi_3418_: bool;
+    var phi_3419_: u32;
+    var phi_3801_: bool;
+    var phi_3420_: type_44;
+    var phi_3421_: type_51;
+    var phi_3422_: u32;
+    var phi_3423_: bool;
+    var phi_3424_: u32;
+    var phi_3800_: bool;
+    var phi_1064_: type_44;
+    var phi_1067_: type_51;
+    var phi_1069_: u32;
+    var phi_1071_: bool;
+    var phi_1073_: u32;
+    var phi_3425_: bool;
+    var phi_3799_: bool;
     var local_10: type_44;
     var local_11: type_44;
     var local_12: type_44;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e85 = global;
-            let _e87 = arrayLength((&global_4.member));
-            let _e89 = arrayLength((&global_2.member));
-            let _e97 = global_3.member[0u][0u];
-            let _e101 = global_3.member[0u][1u];
-            let _e105 = global_3.member[0u][2u];
-            let _e109 = global_3.member[0u][3u];
-            let _e113 = global_3.member[1u][0u];
-            let _e117 = global_3.member[1u][1u];
-            let _e121 = global_3.member[1u][2u];
-            let _e124 = global_1.member[0u];
-            let _e125 = bitcast<i32>(_e124);
-            let _e137 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e109) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e97), bitcast<i32>(_e101), bitcast<i32>(_e105));
-            local = array<i32, 3>(bitcast<i32>(_e113), bitcast<i32>(_e117), bitcast<i32>(_e121));
-            let _e143 = (_e85.x + (_e85.y * 2097152u));
-            let _e144 = (_e143 < arrayLength((&global_5.member)));
-            if _e144 {
-                let _e145 = (_e143 < arrayLength((&global_6.member)));
-                if _e145 {
-                    if _e144 {
+            let _e88 = global;
+            let _e90 = arrayLength((&global_4.member));
+            let _e92 = arrayLength((&global_2.member));
+            let _e100 = global_3.member[0u][0u];
+            let _e104 = global_3.member[0u][1u];
+            let _e108 = global_3.member[0u][2u];
+            let _e112 = global_3.member[0u][3u];
+            let _e116 = global_3.member[1u][0u];
+            let _e120 = global_3.member[1u][1u];
+            let _e124 = global_3.member[1u][2u];
+            let _e127 = global_1.member[0u];
+            let _e128 = bitcast<i32>(_e127);
+            let _e140 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e112) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e100), bitcast<i32>(_e104), bitcast<i32>(_e108));
+            local = array<i32, 3>(bitcast<i32>(_e116), bitcast<i32>(_e120), bitcast<i32>(_e124));
+            let _e146 = (_e88.x + (_e88.y * 2097152u));
+            let _e147 = (_e146 < arrayLength((&global_5.member)));
+            if _e147 {
+                let _e148 = (_e146 < arrayLength((&global_6.member)));
+                if _e148 {
+                    if _e147 {
                     } else {
                         break;
                     }
-                    let _e153 = global_5.member[_e143].member_2[0u];
-                    let _e155 = (bitcast<u32>(_e153) & 2147483647u);
-                    let _e160 = global_5.member[_e143].member_2[1u];
-                    let _e162 = (bitcast<u32>(_e160) & 2147483647u);
-                    let _e167 = global_5.member[_e143].member_2[2u];
-                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
-                    let _e174 = global_5.member[_e143].member[0u];
-                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
-                    let _e181 = global_5.member[_e143].member[1u];
-                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
-                    let _e188 = global_5.member[_e143].member[2u];
-                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                    let _e192 = select(_e162, _e155, (_e162 < _e155));
-                    let _e194 = select(_e169, _e192, (_e169 < _e192));
-                    let _e196 = select(_e176, _e194, (_e176 < _e194));
-                    let _e198 = select(_e183, _e196, (_e183 < _e196));
-                    let _e200 = select(_e190, _e198, (_e190 < _e198));
-                    let _e204 = global_5.member[_e143].member_1;
-                    let _e206 = (bitcast<u32>(_e204) & 2147483647u);
-                    let _e213 = global_5.member[_e143].member_3;
-                    let _e219 = (((select(_e206, _e200, (_e206 < _e200)) < 2139095040u) && ((bitcast<u32>(_e213) & 2147483647u) <= 2139095040u)) && (_e194 > 0u));
-                    if _e219 {
-                        let _e222 = (bitcast<u32>(bitcast<f32>(_e194)) & 2147483647u);
-                        if (_e222 >= 8388608u) {
-                            phi_382_ = (bitcast<i32>((_e222 >> bitcast<u32>(23i))) - 127i);
+                    let _e156 = global_5.member[_e146].member_2[0u];
+                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
+                    let _e163 = global_5.member[_e146].member_2[1u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_5.member[_e146].member_2[2u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_5.member[_e146].member[0u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_5.member[_e146].member[1u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e191 = global_5.member[_e146].member[2u];
+                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
+                    let _e195 = select(_e165, _e158, (_e165 < _e158));
+                    let _e197 = select(_e172, _e195, (_e172 < _e195));
+                    let _e199 = select(_e179, _e197, (_e179 < _e197));
+                    let _e201 = select(_e186, _e199, (_e186 < _e199));
+                    let _e203 = select(_e193, _e201, (_e193 < _e201));
+                    let _e207 = global_5.member[_e146].member_1;
+                    let _e208 = bitcast<u32>(_e207);
+                    let _e209 = (_e208 & 2147483647u);
+                    let _e216 = global_5.member[_e146].member_3;
+                    let _e217 = bitcast<u32>(_e216);
+                    let _e218 = (_e217 & 2147483647u);
+                    let _e222 = (((select(_e209, _e203, (_e209 < _e203)) < 2139095040u) && (_e218 <= 2139095040u)) && (_e197 > 0u));
+                    if _e222 {
+                        let _e225 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
+                        if (_e225 >= 8388608u) {
+                            phi_384_ = (bitcast<i32>((_e225 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_382_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e222)), 32u, (_e222 == 0u))));
+                            phi_384_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e225)), 32u, (_e225 == 0u))));
                         }
-                        let _e236 = phi_382_;
-                        phi_383_ = _e236;
+                        let _e239 = phi_384_;
+                        phi_385_ = _e239;
                     } else {
-                        phi_383_ = 0i;
+                        phi_385_ = 0i;
                     }
-                    let _e238 = phi_383_;
-                    let _e239 = (_e155 == _e194);
-                    if _e239 {
-                        phi_393_ = true;
-                    } else {
-                        phi_393_ = (_e162 == _e194);
-                    }
-                    let _e242 = phi_393_;
-                    let _e243 = select(1u, 0u, _e239);
+                    let _e241 = phi_385_;
+                    let _e242 = (_e158 == _e197);
                     if _e242 {
-                        let _e244 = (_e243 + 1u);
-                        phi_403_ = _e244;
-                        phi_404_ = _e244;
-                        phi_406_ = select(true, false, (_e244 == 2u));
+                        phi_395_ = true;
                     } else {
-                        phi_403_ = u32();
-                        phi_404_ = 0u;
-                        phi_406_ = true;
+                        phi_395_ = (_e165 == _e197);
                     }
-                    let _e248 = phi_403_;
-                    let _e250 = phi_404_;
-                    let _e252 = phi_406_;
-                    if _e252 {
-                        phi_411_ = (_e250 + 1u);
+                    let _e245 = phi_395_;
+                    let _e246 = select(1u, 0u, _e242);
+                    if _e245 {
+                        let _e247 = (_e246 + 1u);
+                        phi_405_ = _e247;
+                        phi_406_ = _e247;
+                        phi_408_ = select(true, false, (_e247 == 2u));
                     } else {
-                        phi_411_ = 0u;
+                        phi_405_ = u32();
+                        phi_406_ = 0u;
+                        phi_408_ = true;
                     }
-                    let _e256 = phi_411_;
-                    let _e257 = select(_e248, _e250, _e252);
-                    let _e258 = select(_e243, select(2u, _e243, _e242), _e252);
-                    if (_e125 < -126i) {
-                        phi_423_ = -126i;
+                    let _e251 = phi_405_;
+                    let _e253 = phi_406_;
+                    let _e255 = phi_408_;
+                    if _e255 {
+                        phi_413_ = (_e253 + 1u);
                     } else {
-                        phi_423_ = select(_e125, 127i, (_e125 > 127i));
+                        phi_413_ = 0u;
                     }
-                    let _e263 = phi_423_;
-                    let _e268 = bitcast<f32>((bitcast<u32>((_e263 + 127i)) << bitcast<u32>(23i)));
-                    let _e274 = bitcast<f32>((bitcast<u32>(((_e125 - _e263) + 127i)) << bitcast<u32>(23i)));
-                    let _e275 = -(_e238);
-                    if (_e275 < -126i) {
-                        phi_443_ = -126i;
+                    let _e259 = phi_413_;
+                    let _e260 = select(_e251, _e253, _e255);
+                    let _e261 = select(_e246, select(2u, _e246, _e245), _e255);
+                    if (_e128 < -126i) {
+                        phi_425_ = -126i;
                     } else {
-                        phi_443_ = select(_e275, 127i, (_e275 > 127i));
+                        phi_425_ = select(_e128, 127i, (_e128 > 127i));
                     }
-                    let _e280 = phi_443_;
-                    let _e285 = bitcast<f32>((bitcast<u32>((_e280 + 127i)) << bitcast<u32>(23i)));
-                    let _e291 = bitcast<f32>((bitcast<u32>(((_e275 - _e280) + 127i)) << bitcast<u32>(23i)));
-                    let _e295 = global_5.member[_e143].member;
-                    let _e296 = (_e257 == 0u);
-                    if _e296 {
-                        phi_461_ = _e295[0];
+                    let _e266 = phi_425_;
+                    let _e271 = bitcast<f32>((bitcast<u32>((_e266 + 127i)) << bitcast<u32>(23i)));
+                    let _e277 = bitcast<f32>((bitcast<u32>(((_e128 - _e266) + 127i)) << bitcast<u32>(23i)));
+                    let _e278 = -(_e241);
+                    if (_e278 < -126i) {
+                        phi_445_ = -126i;
                     } else {
-                        phi_461_ = _e295[1];
+                        phi_445_ = select(_e278, 127i, (_e278 > 127i));
                     }
-                    let _e300 = phi_461_;
-                    let _e301 = (_e257 == 2u);
-                    if _e301 {
-                        phi_467_ = _e295[2];
+                    let _e283 = phi_445_;
+                    let _e288 = bitcast<f32>((bitcast<u32>((_e283 + 127i)) << bitcast<u32>(23i)));
+                    let _e294 = bitcast<f32>((bitcast<u32>(((_e278 - _e283) + 127i)) << bitcast<u32>(23i)));
+                    let _e298 = global_5.member[_e146].member;
+                    let _e299 = (_e260 == 0u);
+                    if _e299 {
+                        phi_463_ = _e298[0];
                     } else {
-                        phi_467_ = _e300;
+                        phi_463_ = _e298[1];
                     }
-                    let _e304 = phi_467_;
-                    let _e306 = ((_e304 * _e268) * _e274);
-                    let _e307 = global_5.member[_e143].member_2;
-                    if _e296 {
-                        phi_478_ = _e307[0];
+                    let _e303 = phi_463_;
+                    let _e304 = (_e260 == 2u);
+                    if _e304 {
+                        phi_469_ = _e298[2];
                     } else {
-                        phi_478_ = _e307[1];
+                        phi_469_ = _e303;
                     }
-                    let _e311 = phi_478_;
-                    if _e301 {
-                        phi_484_ = _e307[2];
+                    let _e307 = phi_469_;
+                    let _e308 = bitcast<u32>(_e307);
+                    let _e310 = ((_e308 & 2139095040u) != 0u);
+                    let _e324 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e308 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e308 & 2147483648u))), _e307, _e310) * _e271) * select(0.00000011920929f, 1f, _e310)) * _e277);
+                    let _e325 = global_5.member[_e146].member_2;
+                    if _e299 {
+                        phi_509_ = _e325[0];
                     } else {
-                        phi_484_ = _e311;
+                        phi_509_ = _e325[1];
                     }
-                    let _e314 = phi_484_;
-                    let _e316 = ((_e314 * _e285) * _e291);
-                    let _e320 = (bitcast<f32>((bitcast<u32>(_e316) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e320 {
-                        let _e324 = (bitcast<f32>((bitcast<u32>(_e306) & 2147483647u)) * 0.00000011920929f);
-                        phi_507_ = select(0.00000000000011368684f, _e324, (_e324 > 0.00000000000011368684f));
+                    let _e329 = phi_509_;
+                    if _e304 {
+                        phi_515_ = _e325[2];
                     } else {
-                        phi_507_ = 0f;
+                        phi_515_ = _e329;
                     }
-                    let _e328 = phi_507_;
-                    let _e329 = (_e306 + _e328);
-                    let _e330 = (_e306 - _e328);
-                    let _e331 = select(_e316, 0f, _e320);
-                    if _e320 {
-                        phi_518_ = 38685626000000000000000000f;
+                    let _e332 = phi_515_;
+                    let _e333 = bitcast<u32>(_e332);
+                    let _e335 = ((_e333 & 2139095040u) != 0u);
+                    let _e349 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e333 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e333 & 2147483648u))), _e332, _e335) * _e288) * select(0.00000011920929f, 1f, _e335)) * _e294);
+                    let _e353 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e353 {
+                        let _e357 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) * 0.00000011920929f);
+                        phi_567_ = select(0.00000000000011368684f, _e357, (_e357 > 0.00000000000011368684f));
                     } else {
-                        phi_518_ = (1f / _e316);
+                        phi_567_ = 0f;
                     }
-                    let _e334 = phi_518_;
-                    let _e335 = (_e256 == 0u);
-                    if _e335 {
-                        phi_527_ = _e295[0];
+                    let _e361 = phi_567_;
+                    let _e362 = (_e324 + _e361);
+                    let _e363 = (_e324 - _e361);
+                    let _e364 = select(_e349, 0f, _e353);
+                    if _e353 {
+                        phi_578_ = 38685626000000000000000000f;
                     } else {
-                        phi_527_ = _e295[1];
+                        phi_578_ = (1f / _e349);
                     }
-                    let _e339 = phi_527_;
-                    let _e340 = (_e256 == 2u);
-                    if _e340 {
-                        phi_533_ = _e295[2];
+                    let _e367 = phi_578_;
+                    let _e368 = (_e259 == 0u);
+                    if _e368 {
+                        phi_587_ = _e298[0];
                     } else {
-                        phi_533_ = _e339;
+                        phi_587_ = _e298[1];
                     }
-                    let _e343 = phi_533_;
-                    let _e345 = ((_e343 * _e268) * _e274);
-                    if _e335 {
-                        phi_544_ = _e307[0];
-                    } else {
-                        phi_544_ = _e307[1];
-                    }
-                    let _e349 = phi_544_;
-                    if _e340 {
-                        phi_550_ = _e307[2];
-                    } else {
-                        phi_550_ = _e349;
-                    }
-                    let _e352 = phi_550_;
-                    let _e354 = ((_e352 * _e285) * _e291);
-                    let _e358 = (bitcast<f32>((bitcast<u32>(_e354) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e358 {
-                        let _e362 = (bitcast<f32>((bitcast<u32>(_e345) & 2147483647u)) * 0.00000011920929f);
-                        phi_573_ = select(0.00000000000011368684f, _e362, (_e362 > 0.00000000000011368684f));
-                    } else {
-                        phi_573_ = 0f;
-                    }
-                    let _e366 = phi_573_;
-                    let _e367 = (_e345 + _e366);
-                    let _e368 = (_e345 - _e366);
-                    let _e369 = select(_e354, 0f, _e358);
-                    if _e358 {
-                        phi_584_ = 38685626000000000000000000f;
-                    } else {
-                        phi_584_ = (1f / _e354);
-                    }
-                    let _e372 = phi_584_;
-                    let _e373 = (_e258 == 0u);
+                    let _e372 = phi_587_;
+                    let _e373 = (_e259 == 2u);
                     if _e373 {
-                        phi_593_ = _e295[0];
+                        phi_593_ = _e298[2];
                     } else {
-                        phi_593_ = _e295[1];
+                        phi_593_ = _e372;
                     }
-                    let _e377 = phi_593_;
-                    let _e378 = (_e258 == 2u);
-                    if _e378 {
-                        phi_599_ = _e295[2];
+                    let _e376 = phi_593_;
+                    let _e377 = bitcast<u32>(_e376);
+                    let _e379 = ((_e377 & 2139095040u) != 0u);
+                    let _e393 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e377 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e377 & 2147483648u))), _e376, _e379) * _e271) * select(0.00000011920929f, 1f, _e379)) * _e277);
+                    if _e368 {
+                        phi_633_ = _e325[0];
                     } else {
-                        phi_599_ = _e377;
+                        phi_633_ = _e325[1];
                     }
-                    let _e381 = phi_599_;
-                    let _e383 = ((_e381 * _e268) * _e274);
+                    let _e397 = phi_633_;
                     if _e373 {
-                        phi_610_ = _e307[0];
+                        phi_639_ = _e325[2];
                     } else {
-                        phi_610_ = _e307[1];
+                        phi_639_ = _e397;
                     }
-                    let _e387 = phi_610_;
-                    if _e378 {
-                        phi_616_ = _e307[2];
+                    let _e400 = phi_639_;
+                    let _e401 = bitcast<u32>(_e400);
+                    let _e403 = ((_e401 & 2139095040u) != 0u);
+                    let _e417 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e401 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e401 & 2147483648u))), _e400, _e403) * _e288) * select(0.00000011920929f, 1f, _e403)) * _e294);
+                    let _e421 = (bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e421 {
+                        let _e425 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) * 0.00000011920929f);
+                        phi_691_ = select(0.00000000000011368684f, _e425, (_e425 > 0.00000000000011368684f));
                     } else {
-                        phi_616_ = _e387;
+                        phi_691_ = 0f;
                     }
-                    let _e390 = phi_616_;
-                    let _e392 = ((_e390 * _e285) * _e291);
-                    let _e396 = (bitcast<f32>((bitcast<u32>(_e392) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e396 {
-                        let _e400 = (bitcast<f32>((bitcast<u32>(_e383) & 2147483647u)) * 0.00000011920929f);
-                        phi_639_ = select(0.00000000000011368684f, _e400, (_e400 > 0.00000000000011368684f));
+                    let _e429 = phi_691_;
+                    let _e430 = (_e393 + _e429);
+                    let _e431 = (_e393 - _e429);
+                    let _e432 = select(_e417, 0f, _e421);
+                    if _e421 {
+                        phi_702_ = 38685626000000000000000000f;
                     } else {
-                        phi_639_ = 0f;
+                        phi_702_ = (1f / _e417);
                     }
-                    let _e404 = phi_639_;
-                    let _e405 = (_e383 + _e404);
-                    let _e406 = (_e383 - _e404);
-                    let _e407 = select(_e392, 0f, _e396);
-                    if _e396 {
-                        phi_650_ = 38685626000000000000000000f;
+                    let _e435 = phi_702_;
+                    let _e436 = (_e261 == 0u);
+                    if _e436 {
+                        phi_711_ = _e298[0];
                     } else {
-                        phi_650_ = (1f / _e392);
+                        phi_711_ = _e298[1];
                     }
-                    let _e410 = phi_650_;
-                    let _e413 = bitcast<f32>((bitcast<u32>(_e306) & 2147483647u));
-                    let _e416 = bitcast<f32>((bitcast<u32>(_e345) & 2147483647u));
-                    let _e418 = select(_e416, _e413, (_e413 > _e416));
-                    let _e421 = bitcast<f32>((bitcast<u32>(_e383) & 2147483647u));
-                    let _e424 = (_e125 + _e238);
-                    if (_e219 && (select(_e421, _e418, (_e418 > _e421)) <= 1099511600000f)) {
-                        let _e427 = (_e424 / 3i);
-                        let _e434 = bitcast<f32>((bitcast<u32>((_e427 + 127i)) << bitcast<u32>(23i)));
-                        let _e441 = bitcast<f32>((bitcast<u32>(((_e424 - (2i * _e427)) + 127i)) << bitcast<u32>(23i)));
-                        let _e442 = (((_e204 * _e434) * _e434) * _e441);
-                        let _e444 = select(340282350000000000000000000000000000000f, _e442, (_e442 < 340282350000000000000000000000000000000f));
-                        let _e449 = (((_e213 * _e434) * _e434) * _e441);
-                        let _e451 = select(340282350000000000000000000000000000000f, _e449, (_e449 < 340282350000000000000000000000000000000f));
-                        phi_750_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
-                        phi_751_ = select(-340282350000000000000000000000000000000f, _e444, (_e444 > -340282350000000000000000000000000000000f));
+                    let _e440 = phi_711_;
+                    let _e441 = (_e261 == 2u);
+                    if _e441 {
+                        phi_717_ = _e298[2];
                     } else {
-                        phi_750_ = 0f;
-                        phi_751_ = 1f;
+                        phi_717_ = _e440;
                     }
-                    let _e455 = phi_750_;
-                    let _e457 = phi_751_;
+                    let _e444 = phi_717_;
+                    let _e445 = bitcast<u32>(_e444);
+                    let _e447 = ((_e445 & 2139095040u) != 0u);
+                    let _e461 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e445 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e445 & 2147483648u))), _e444, _e447) * _e271) * select(0.00000011920929f, 1f, _e447)) * _e277);
+                    if _e436 {
+                        phi_757_ = _e325[0];
+                    } else {
+                        phi_757_ = _e325[1];
+                    }
+                    let _e465 = phi_757_;
+                    if _e441 {
+                        phi_763_ = _e325[2];
+                    } else {
+                        phi_763_ = _e465;
+                    }
+                    let _e468 = phi_763_;
+                    let _e469 = bitcast<u32>(_e468);
+                    let _e471 = ((_e469 & 2139095040u) != 0u);
+                    let _e485 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e469 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e469 & 2147483648u))), _e468, _e471) * _e288) * select(0.00000011920929f, 1f, _e471)) * _e294);
+                    let _e489 = (bitcast<f32>((bitcast<u32>(_e485) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e489 {
+                        let _e493 = (bitcast<f32>((bitcast<u32>(_e461) & 2147483647u)) * 0.00000011920929f);
+                        phi_815_ = select(0.00000000000011368684f, _e493, (_e493 > 0.00000000000011368684f));
+                    } else {
+                        phi_815_ = 0f;
+                    }
+                    let _e497 = phi_815_;
+                    let _e498 = (_e461 + _e497);
+                    let _e499 = (_e461 - _e497);
+                    let _e500 = select(_e485, 0f, _e489);
+                    if _e489 {
+                        phi_826_ = 38685626000000000000000000f;
+                    } else {
+                        phi_826_ = (1f / _e485);
+                    }
+                    let _e503 = phi_826_;
+                    let _e506 = bitcast<f32>((bitcast<u32>(_e324) & 2147483647u));
+                    let _e509 = bitcast<f32>((bitcast<u32>(_e393) & 2147483647u));
+                    let _e511 = select(_e509, _e506, (_e506 > _e509));
+                    let _e514 = bitcast<f32>((bitcast<u32>(_e461) & 2147483647u));
+                    let _e517 = (_e128 + _e241);
+                    if (_e222 && (select(_e514, _e511, (_e511 > _e514)) <= 1099511600000f)) {
+                        let _e527 = ((_e209 & 8388607u) | (select(0u, 1u, ((_e209 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e530 = bitcast<i32>((_e209 >> bitcast<u32>(23i)));
+                        let _e534 = (_e527 == 0u);
+                        let _e537 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e527)), 32u, _e534)) - 8i);
+                        if (_e530 == 255i) {
+                            phi_881_ = 255i;
+                        } else {
+                            phi_881_ = (((_e530 + select(0i, 1i, (_e530 == 0i))) - _e537) + _e517);
+                        }
+                        let _e545 = phi_881_;
+                        let _e555 = (_e545 <= 0i);
+                        if _e555 {
+                            phi_904_ = u32();
+                        } else {
+                            if _e534 {
+                                phi_903_ = u32();
+                            } else {
+                                phi_903_ = select(((bitcast<u32>(_e545) << bitcast<u32>(23i)) | ((_e527 << bitcast<u32>(((_e537 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e545 >= 255i));
+                            }
+                            let _e559 = phi_903_;
+                            phi_904_ = _e559;
+                        }
+                        let _e561 = phi_904_;
+                        let _e573 = ((_e218 & 8388607u) | (select(0u, 1u, ((_e218 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e576 = bitcast<i32>((_e218 >> bitcast<u32>(23i)));
+                        let _e580 = (_e573 == 0u);
+                        let _e583 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e573)), 32u, _e580)) - 8i);
+                        if (_e576 == 255i) {
+                            phi_941_ = 255i;
+                        } else {
+                            phi_941_ = (((_e576 + select(0i, 1i, (_e576 == 0i))) - _e583) + _e517);
+                        }
+                        let _e591 = phi_941_;
+                        let _e601 = (_e591 <= 0i);
+                        if _e601 {
+                            phi_964_ = u32();
+                        } else {
+                            if _e580 {
+                                phi_963_ = u32();
+                            } else {
+                                phi_963_ = select(((bitcast<u32>(_e591) << bitcast<u32>(23i)) | ((_e573 << bitcast<u32>(((_e583 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e591 >= 255i));
+                            }
+                            let _e605 = phi_963_;
+                            phi_964_ = _e605;
+                        }
+                        let _e607 = phi_964_;
+                        phi_972_ = bitcast<f32>(((_e217 & 2147483648u) | select(_e607, 0u, select(_e580, true, _e601))));
+                        phi_973_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e561, 0u, select(_e534, true, _e555))));
+                    } else {
+                        phi_972_ = 0f;
+                        phi_973_ = 1f;
+                    }
+                    let _e613 = phi_972_;
+                    let _e615 = phi_973_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -504,925 +564,925 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e462 = (_e257 % 3u);
-                    let _e463 = (_e462 < 3u);
-                    if _e463 {
+                    let _e620 = (_e260 % 3u);
+                    let _e621 = (_e620 < 3u);
+                    if _e621 {
                     } else {
                         break;
                     }
-                    let _e465 = local_1[_e462];
-                    let _e468 = (_e256 % 3u);
-                    let _e469 = (_e468 < 3u);
-                    if _e469 {
+                    let _e623 = local_1[_e620];
+                    let _e626 = (_e259 % 3u);
+                    let _e627 = (_e626 < 3u);
+                    if _e627 {
                     } else {
                         break;
                     }
-                    let _e471 = local_1[_e468];
-                    let _e474 = (_e258 % 3u);
-                    let _e475 = (_e474 < 3u);
-                    if _e475 {
+                    let _e629 = local_1[_e626];
+                    let _e632 = (_e261 % 3u);
+                    let _e633 = (_e632 < 3u);
+                    if _e633 {
                     } else {
                         break;
                     }
-                    let _e477 = local_1[_e474];
-                    if _e463 {
+                    let _e635 = local_1[_e632];
+                    if _e621 {
                     } else {
                         break;
                     }
-                    let _e482 = local[_e462];
-                    if _e469 {
+                    let _e640 = local[_e620];
+                    if _e627 {
                     } else {
                         break;
                     }
-                    let _e486 = local[_e468];
-                    if _e475 {
+                    let _e644 = local[_e626];
+                    if _e633 {
                     } else {
                         break;
                     }
-                    let _e490 = local[_e474];
-                    phi_3415_ = false;
-                    phi_841_ = type_44(type_37(type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e455), 0u, 0u);
-                    phi_844_ = type_51(type_33(vec4<f32>((f32(_e465) * _e137), (f32(_e471) * _e137), (f32(_e477) * _e137), 0f), vec4<f32>((f32(_e482) * _e137), (f32(_e486) * _e137), (f32(_e490) * _e137), 0f)), select(0u, 2147483648u, (_e87 == 0u)));
-                    phi_846_ = ((3u * _e87) + 1u);
-                    phi_848_ = (_e457 <= _e455);
-                    phi_850_ = 0u;
+                    let _e648 = local[_e632];
+                    phi_3645_ = false;
+                    phi_1063_ = type_44(type_37(type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e613), 0u, 0u);
+                    phi_1066_ = type_51(type_33(vec4<f32>((f32(_e623) * _e140), (f32(_e629) * _e140), (f32(_e635) * _e140), 0f), vec4<f32>((f32(_e640) * _e140), (f32(_e644) * _e140), (f32(_e648) * _e140), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
+                    phi_1068_ = ((3u * _e90) + 1u);
+                    phi_1070_ = (_e615 <= _e613);
+                    phi_1072_ = 0u;
                     loop {
-                        let _e500 = phi_3415_;
-                        let _e502 = phi_841_;
-                        let _e504 = phi_844_;
-                        let _e506 = phi_846_;
-                        let _e508 = phi_848_;
-                        let _e510 = phi_850_;
-                        local_10 = _e502;
-                        local_11 = _e502;
-                        if _e508 {
-                            phi_861_ = true;
+                        let _e658 = phi_3645_;
+                        let _e660 = phi_1063_;
+                        let _e662 = phi_1066_;
+                        let _e664 = phi_1068_;
+                        let _e666 = phi_1070_;
+                        let _e668 = phi_1072_;
+                        local_10 = _e660;
+                        local_11 = _e660;
+                        if _e666 {
+                            phi_1083_ = true;
                         } else {
-                            phi_861_ = (_e510 > 0u);
+                            phi_1083_ = (_e668 > 0u);
                         }
-                        let _e513 = phi_861_;
-                        if _e513 {
-                            let _e514 = (_e506 > 0u);
-                            if _e514 {
-                                if _e508 {
-                                    phi_947_ = _e504;
-                                    phi_948_ = _e508;
-                                    phi_949_ = _e510;
+                        let _e671 = phi_1083_;
+                        if _e671 {
+                            let _e672 = (_e664 > 0u);
+                            if _e672 {
+                                if _e666 {
+                                    phi_1169_ = _e662;
+                                    phi_1170_ = _e666;
+                                    phi_1171_ = _e668;
                                 } else {
-                                    let _e515 = (_e510 - 1u);
-                                    let _e516 = (_e515 % 128u);
-                                    let _e517 = (_e516 < 128u);
-                                    if _e517 {
+                                    let _e673 = (_e668 - 1u);
+                                    let _e674 = (_e673 % 128u);
+                                    let _e675 = (_e674 < 128u);
+                                    if _e675 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e519 = local_7[_e516];
-                                    if _e517 {
+                                    let _e677 = local_7[_e674];
+                                    if _e675 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e521 = local_6[_e516];
-                                    if _e517 {
+                                    let _e679 = local_6[_e674];
+                                    if _e675 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e523 = local_5[_e516];
-                                    if _e517 {
+                                    let _e681 = local_5[_e674];
+                                    if _e675 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e525 = local_4[_e516];
-                                    if _e517 {
+                                    let _e683 = local_4[_e674];
+                                    if _e675 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e527 = local_3[_e516];
-                                    if _e517 {
+                                    let _e685 = local_3[_e674];
+                                    if _e675 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e529 = local_2[_e516];
-                                    if _e517 {
+                                    let _e687 = local_2[_e674];
+                                    if _e675 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e534 = local_8[_e516];
-                                    if _e517 {
+                                    let _e692 = local_8[_e674];
+                                    if _e675 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e537 = local_9[_e516];
-                                    phi_947_ = type_51(type_33(vec4<f32>(_e519, _e521, _e523, 0f), vec4<f32>(_e525, _e527, _e529, 0f)), _e534);
-                                    phi_948_ = (_e537 <= _e502.member.member_1);
-                                    phi_949_ = _e515;
+                                    let _e695 = local_9[_e674];
+                                    phi_1169_ = type_51(type_33(vec4<f32>(_e677, _e679, _e681, 0f), vec4<f32>(_e683, _e685, _e687, 0f)), _e692);
+                                    phi_1170_ = (_e695 <= _e660.member.member_1);
+                                    phi_1171_ = _e673;
                                 }
-                                let _e542 = phi_947_;
-                                let _e544 = phi_948_;
-                                let _e546 = phi_949_;
-                                if _e544 {
-                                    if ((_e542.member_1 & 2147483648u) != 0u) {
-                                        phi_967_ = _e502;
-                                        phi_970_ = type_4(0u, ((_e542.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e700 = phi_1169_;
+                                let _e702 = phi_1170_;
+                                let _e704 = phi_1171_;
+                                if _e702 {
+                                    if ((_e700.member_1 & 2147483648u) != 0u) {
+                                        phi_1189_ = _e660;
+                                        phi_1192_ = type_4(0u, ((_e700.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e997 = phi_967_;
-                                            let _e999 = phi_970_;
-                                            local_12 = _e997;
-                                            if (_e999.member < _e999.member_1) {
-                                                phi_971_ = type_4((_e999.member + 1u), _e999.member_1);
-                                                phi_993_ = type_4(1u, _e999.member);
+                                            let _e1161 = phi_1189_;
+                                            let _e1163 = phi_1192_;
+                                            local_12 = _e1161;
+                                            if (_e1163.member < _e1163.member_1) {
+                                                phi_1193_ = type_4((_e1163.member + 1u), _e1163.member_1);
+                                                phi_1215_ = type_4(1u, _e1163.member);
                                             } else {
-                                                phi_971_ = _e999;
-                                                phi_993_ = type_4(0u, type_4().member_1);
+                                                phi_1193_ = _e1163;
+                                                phi_1215_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1012 = phi_971_;
-                                            let _e1014 = phi_993_;
-                                            let _e1018 = (bitcast<i32>(_e1014.member) != 0i);
-                                            if _e1018 {
-                                                let _e1024 = type_44(_e997.member, _e997.member_1, (_e997.member_2 + 1u));
-                                                let _e1025 = ((_e542.member_1 & 268435455u) + _e1014.member_1);
-                                                let _e1026 = (_e1025 < _e89);
-                                                if _e1026 {
-                                                    if _e1026 {
+                                            let _e1176 = phi_1193_;
+                                            let _e1178 = phi_1215_;
+                                            let _e1182 = (bitcast<i32>(_e1178.member) != 0i);
+                                            if _e1182 {
+                                                let _e1188 = type_44(_e1161.member, _e1161.member_1, (_e1161.member_2 + 1u));
+                                                let _e1189 = ((_e700.member_1 & 268435455u) + _e1178.member_1);
+                                                let _e1190 = (_e1189 < _e92);
+                                                if _e1190 {
+                                                    if _e1190 {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1030 = global_2.member[_e1025].member_1;
-                                                    phi_1017_ = _e1030;
+                                                    let _e1194 = global_2.member[_e1189].member_1;
+                                                    phi_1239_ = _e1194;
                                                 } else {
-                                                    phi_1017_ = 4294967295u;
+                                                    phi_1239_ = 4294967295u;
                                                 }
-                                                let _e1032 = phi_1017_;
-                                                if (_e1025 >= _e89) {
-                                                    phi_1106_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1196 = phi_1239_;
+                                                if (_e1189 >= _e92) {
+                                                    phi_1328_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1026 {
+                                                    if _e1190 {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    if (_e462 < 9u) {
+                                                    if (_e620 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1039 = global_2.member[_e1025].member[_e462];
-                                                    if (_e468 < 9u) {
+                                                    let _e1203 = global_2.member[_e1189].member[_e620];
+                                                    if (_e626 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1045 = global_2.member[_e1025].member[_e468];
-                                                    if (_e474 < 9u) {
+                                                    let _e1209 = global_2.member[_e1189].member[_e626];
+                                                    if (_e632 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1051 = global_2.member[_e1025].member[_e474];
-                                                    let _e1053 = (3u + _e462);
-                                                    if (_e1053 < 9u) {
+                                                    let _e1215 = global_2.member[_e1189].member[_e632];
+                                                    let _e1217 = (3u + _e620);
+                                                    if (_e1217 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1059 = global_2.member[_e1025].member[_e1053];
-                                                    let _e1060 = (3u + _e468);
-                                                    if (_e1060 < 9u) {
+                                                    let _e1223 = global_2.member[_e1189].member[_e1217];
+                                                    let _e1224 = (3u + _e626);
+                                                    if (_e1224 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1066 = global_2.member[_e1025].member[_e1060];
-                                                    let _e1067 = (3u + _e474);
-                                                    if (_e1067 < 9u) {
+                                                    let _e1230 = global_2.member[_e1189].member[_e1224];
+                                                    let _e1231 = (3u + _e632);
+                                                    if (_e1231 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1073 = global_2.member[_e1025].member[_e1067];
-                                                    let _e1075 = (6u + _e462);
-                                                    if (_e1075 < 9u) {
+                                                    let _e1237 = global_2.member[_e1189].member[_e1231];
+                                                    let _e1239 = (6u + _e620);
+                                                    if (_e1239 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1081 = global_2.member[_e1025].member[_e1075];
-                                                    let _e1082 = (6u + _e468);
-                                                    if (_e1082 < 9u) {
+                                                    let _e1245 = global_2.member[_e1189].member[_e1239];
+                                                    let _e1246 = (6u + _e626);
+                                                    if (_e1246 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1088 = global_2.member[_e1025].member[_e1082];
-                                                    let _e1089 = (6u + _e474);
-                                                    if (_e1089 < 9u) {
+                                                    let _e1252 = global_2.member[_e1189].member[_e1246];
+                                                    let _e1253 = (6u + _e632);
+                                                    if (_e1253 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1095 = global_2.member[_e1025].member[_e1089];
-                                                    phi_1106_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1039, _e1045, _e1051), array<f32, 3>(_e1059, _e1066, _e1073), array<f32, 3>(_e1081, _e1088, _e1095));
+                                                    let _e1259 = global_2.member[_e1189].member[_e1253];
+                                                    phi_1328_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1203, _e1209, _e1215), array<f32, 3>(_e1223, _e1230, _e1237), array<f32, 3>(_e1245, _e1252, _e1259));
                                                 }
-                                                let _e1099 = phi_1106_;
-                                                let _e1108 = (_e1099[0][2] - _e383);
-                                                let _e1111 = (((_e1099[0][0] - _e306) * _e407) - (_e1108 * _e331));
-                                                let _e1114 = (((_e1099[0][1] - _e345) * _e407) - (_e1108 * _e369));
-                                                let _e1121 = (_e1099[1][2] - _e383);
-                                                let _e1124 = (((_e1099[1][0] - _e306) * _e407) - (_e1121 * _e331));
-                                                let _e1127 = (((_e1099[1][1] - _e345) * _e407) - (_e1121 * _e369));
-                                                let _e1134 = (_e1099[2][2] - _e383);
-                                                let _e1137 = (((_e1099[2][0] - _e306) * _e407) - (_e1134 * _e331));
-                                                let _e1140 = (((_e1099[2][1] - _e345) * _e407) - (_e1134 * _e369));
-                                                let _e1141 = (_e1137 * _e1127);
-                                                let _e1142 = (_e1140 * _e1124);
-                                                let _e1143 = (_e1111 * _e1140);
-                                                let _e1144 = (_e1114 * _e1137);
-                                                let _e1145 = (_e1124 * _e1114);
-                                                let _e1146 = (_e1127 * _e1111);
-                                                let _e1151 = (((_e1141 >= _e1142) && (_e1143 >= _e1144)) && (_e1145 >= _e1146));
-                                                if (_e1151 || (((_e1141 <= _e1142) && (_e1143 <= _e1144)) && (_e1145 <= _e1146))) {
-                                                    let _e1158 = select(-1f, 1f, _e1151);
-                                                    let _e1160 = ((_e1141 - _e1142) * _e1158);
-                                                    let _e1162 = select(0f, _e1160, (_e1160 > 0f));
-                                                    let _e1164 = ((_e1143 - _e1144) * _e1158);
-                                                    let _e1166 = select(0f, _e1164, (_e1164 > 0f));
-                                                    let _e1168 = ((_e1145 - _e1146) * _e1158);
-                                                    let _e1170 = select(0f, _e1168, (_e1168 > 0f));
-                                                    let _e1172 = ((_e1162 + _e1166) + _e1170);
-                                                    if (_e1172 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1931_ = type_29();
-                                                        phi_1932_ = true;
-                                                        phi_1933_ = false;
+                                                let _e1263 = phi_1328_;
+                                                let _e1272 = (_e1263[0][2] - _e461);
+                                                let _e1275 = (((_e1263[0][0] - _e324) * _e500) - (_e1272 * _e364));
+                                                let _e1278 = (((_e1263[0][1] - _e393) * _e500) - (_e1272 * _e432));
+                                                let _e1285 = (_e1263[1][2] - _e461);
+                                                let _e1288 = (((_e1263[1][0] - _e324) * _e500) - (_e1285 * _e364));
+                                                let _e1291 = (((_e1263[1][1] - _e393) * _e500) - (_e1285 * _e432));
+                                                let _e1298 = (_e1263[2][2] - _e461);
+                                                let _e1301 = (((_e1263[2][0] - _e324) * _e500) - (_e1298 * _e364));
+                                                let _e1304 = (((_e1263[2][1] - _e393) * _e500) - (_e1298 * _e432));
+                                                let _e1305 = (_e1301 * _e1291);
+                                                let _e1306 = (_e1304 * _e1288);
+                                                let _e1307 = (_e1275 * _e1304);
+                                                let _e1308 = (_e1278 * _e1301);
+                                                let _e1309 = (_e1288 * _e1278);
+                                                let _e1310 = (_e1291 * _e1275);
+                                                let _e1315 = (((_e1305 >= _e1306) && (_e1307 >= _e1308)) && (_e1309 >= _e1310));
+                                                if (_e1315 || (((_e1305 <= _e1306) && (_e1307 <= _e1308)) && (_e1309 <= _e1310))) {
+                                                    let _e1322 = select(-1f, 1f, _e1315);
+                                                    let _e1324 = ((_e1305 - _e1306) * _e1322);
+                                                    let _e1326 = select(0f, _e1324, (_e1324 > 0f));
+                                                    let _e1328 = ((_e1307 - _e1308) * _e1322);
+                                                    let _e1330 = select(0f, _e1328, (_e1328 > 0f));
+                                                    let _e1332 = ((_e1309 - _e1310) * _e1322);
+                                                    let _e1334 = select(0f, _e1332, (_e1332 > 0f));
+                                                    let _e1336 = ((_e1326 + _e1330) + _e1334);
+                                                    if (_e1336 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2153_ = type_29();
+                                                        phi_2154_ = true;
+                                                        phi_2155_ = false;
                                                     } else {
-                                                        let _e1175 = select(_e1124, _e1111, (_e1111 < _e1124));
-                                                        if (select(_e1137, _e1175, (_e1175 < _e1137)) > 0f) {
-                                                            phi_1223_ = true;
+                                                        let _e1339 = select(_e1288, _e1275, (_e1275 < _e1288));
+                                                        if (select(_e1301, _e1339, (_e1339 < _e1301)) > 0f) {
+                                                            phi_1445_ = true;
                                                         } else {
-                                                            let _e1180 = select(_e1124, _e1111, (_e1111 > _e1124));
-                                                            phi_1223_ = (select(_e1137, _e1180, (_e1180 > _e1137)) < 0f);
+                                                            let _e1344 = select(_e1288, _e1275, (_e1275 > _e1288));
+                                                            phi_1445_ = (select(_e1301, _e1344, (_e1344 > _e1301)) < 0f);
                                                         }
-                                                        let _e1185 = phi_1223_;
-                                                        if _e1185 {
-                                                            phi_1928_ = type_29();
-                                                            phi_1929_ = true;
-                                                            phi_1930_ = false;
+                                                        let _e1349 = phi_1445_;
+                                                        if _e1349 {
+                                                            phi_2150_ = type_29();
+                                                            phi_2151_ = true;
+                                                            phi_2152_ = false;
                                                         } else {
-                                                            let _e1187 = select(_e1127, _e1114, (_e1114 < _e1127));
-                                                            if (select(_e1140, _e1187, (_e1187 < _e1140)) > 0f) {
-                                                                phi_1252_ = true;
+                                                            let _e1351 = select(_e1291, _e1278, (_e1278 < _e1291));
+                                                            if (select(_e1304, _e1351, (_e1351 < _e1304)) > 0f) {
+                                                                phi_1474_ = true;
                                                             } else {
-                                                                let _e1192 = select(_e1127, _e1114, (_e1114 > _e1127));
-                                                                phi_1252_ = (select(_e1140, _e1192, (_e1192 > _e1140)) < 0f);
+                                                                let _e1356 = select(_e1291, _e1278, (_e1278 > _e1291));
+                                                                phi_1474_ = (select(_e1304, _e1356, (_e1356 > _e1304)) < 0f);
                                                             }
-                                                            let _e1197 = phi_1252_;
-                                                            if _e1197 {
-                                                                phi_1926_ = type_29();
-                                                                phi_1927_ = false;
+                                                            let _e1361 = phi_1474_;
+                                                            if _e1361 {
+                                                                phi_2148_ = type_29();
+                                                                phi_2149_ = false;
                                                             } else {
-                                                                let _e1199 = select(_e1099[1][0], _e1099[0][0], (_e1099[0][0] < _e1099[1][0]));
-                                                                let _e1203 = select(_e1099[1][0], _e1099[0][0], (_e1099[0][0] > _e1099[1][0]));
-                                                                let _e1207 = select(_e1099[1][1], _e1099[0][1], (_e1099[0][1] < _e1099[1][1]));
-                                                                let _e1211 = select(_e1099[1][1], _e1099[0][1], (_e1099[0][1] > _e1099[1][1]));
-                                                                let _e1215 = select(_e1099[1][2], _e1099[0][2], (_e1099[0][2] < _e1099[1][2]));
-                                                                let _e1219 = select(_e1099[1][2], _e1099[0][2], (_e1099[0][2] > _e1099[1][2]));
-                                                                let _e1224 = ((select(_e1099[2][0], _e1199, (_e1199 < _e1099[2][0])) - _e329) * _e334);
-                                                                let _e1225 = ((select(_e1099[2][0], _e1203, (_e1203 > _e1099[2][0])) - _e330) * _e334);
-                                                                let _e1228 = ((select(_e1099[2][1], _e1207, (_e1207 < _e1099[2][1])) - _e367) * _e372);
-                                                                let _e1229 = ((select(_e1099[2][1], _e1211, (_e1211 > _e1099[2][1])) - _e368) * _e372);
-                                                                let _e1232 = ((select(_e1099[2][2], _e1215, (_e1215 < _e1099[2][2])) - _e405) * _e410);
-                                                                let _e1233 = ((select(_e1099[2][2], _e1219, (_e1219 > _e1099[2][2])) - _e406) * _e410);
-                                                                let _e1235 = select(_e1233, _e1232, (_e1232 < _e1233));
-                                                                let _e1237 = select(_e1233, _e1232, (_e1232 > _e1233));
-                                                                let _e1239 = select(_e1225, _e1224, (_e1224 < _e1225));
-                                                                let _e1241 = select(_e1229, _e1228, (_e1228 < _e1229));
-                                                                let _e1243 = select(_e1241, _e1239, (_e1239 > _e1241));
-                                                                let _e1245 = select(_e1235, _e1243, (_e1243 > _e1235));
-                                                                let _e1247 = select(_e1225, _e1224, (_e1224 > _e1225));
-                                                                let _e1249 = select(_e1229, _e1228, (_e1228 > _e1229));
-                                                                let _e1251 = select(_e1249, _e1247, (_e1247 < _e1249));
-                                                                let _e1253 = select(_e1237, _e1251, (_e1251 < _e1237));
-                                                                let _e1254 = -(_e1235);
-                                                                let _e1260 = select(_e457, _e1245, (_e1245 > _e457));
-                                                                if (_e1260 > (_e1253 + (select(_e1254, _e1237, (_e1237 > _e1254)) * 0.0000019073523f))) {
-                                                                    phi_1921_ = type_29();
-                                                                    phi_1922_ = true;
+                                                                let _e1363 = select(_e1263[1][0], _e1263[0][0], (_e1263[0][0] < _e1263[1][0]));
+                                                                let _e1367 = select(_e1263[1][0], _e1263[0][0], (_e1263[0][0] > _e1263[1][0]));
+                                                                let _e1371 = select(_e1263[1][1], _e1263[0][1], (_e1263[0][1] < _e1263[1][1]));
+                                                                let _e1375 = select(_e1263[1][1], _e1263[0][1], (_e1263[0][1] > _e1263[1][1]));
+                                                                let _e1379 = select(_e1263[1][2], _e1263[0][2], (_e1263[0][2] < _e1263[1][2]));
+                                                                let _e1383 = select(_e1263[1][2], _e1263[0][2], (_e1263[0][2] > _e1263[1][2]));
+                                                                let _e1388 = ((select(_e1263[2][0], _e1363, (_e1363 < _e1263[2][0])) - _e362) * _e367);
+                                                                let _e1389 = ((select(_e1263[2][0], _e1367, (_e1367 > _e1263[2][0])) - _e363) * _e367);
+                                                                let _e1392 = ((select(_e1263[2][1], _e1371, (_e1371 < _e1263[2][1])) - _e430) * _e435);
+                                                                let _e1393 = ((select(_e1263[2][1], _e1375, (_e1375 > _e1263[2][1])) - _e431) * _e435);
+                                                                let _e1396 = ((select(_e1263[2][2], _e1379, (_e1379 < _e1263[2][2])) - _e498) * _e503);
+                                                                let _e1397 = ((select(_e1263[2][2], _e1383, (_e1383 > _e1263[2][2])) - _e499) * _e503);
+                                                                let _e1399 = select(_e1397, _e1396, (_e1396 < _e1397));
+                                                                let _e1401 = select(_e1397, _e1396, (_e1396 > _e1397));
+                                                                let _e1403 = select(_e1389, _e1388, (_e1388 < _e1389));
+                                                                let _e1405 = select(_e1393, _e1392, (_e1392 < _e1393));
+                                                                let _e1407 = select(_e1405, _e1403, (_e1403 > _e1405));
+                                                                let _e1409 = select(_e1399, _e1407, (_e1407 > _e1399));
+                                                                let _e1411 = select(_e1389, _e1388, (_e1388 > _e1389));
+                                                                let _e1413 = select(_e1393, _e1392, (_e1392 > _e1393));
+                                                                let _e1415 = select(_e1413, _e1411, (_e1411 < _e1413));
+                                                                let _e1417 = select(_e1401, _e1415, (_e1415 < _e1401));
+                                                                let _e1418 = -(_e1399);
+                                                                let _e1424 = select(_e615, _e1409, (_e1409 > _e615));
+                                                                if (_e1424 > (_e1417 + (select(_e1418, _e1401, (_e1401 > _e1418)) * 0.0000019073523f))) {
+                                                                    phi_2143_ = type_29();
+                                                                    phi_2144_ = true;
                                                                 } else {
-                                                                    let _e1262 = (_e1260 > _e997.member.member_1);
-                                                                    if _e1262 {
-                                                                        phi_1920_ = type_29();
+                                                                    let _e1426 = (_e1424 > _e1161.member.member_1);
+                                                                    if _e1426 {
+                                                                        phi_2142_ = type_29();
                                                                     } else {
-                                                                        let _e1263 = vec3<f32>(_e1099[0][0], _e1099[0][1], _e1099[0][2]);
-                                                                        let _e1264 = vec3<f32>(_e1099[1][0], _e1099[1][1], _e1099[1][2]);
-                                                                        let _e1265 = vec3<f32>(_e1099[2][0], _e1099[2][1], _e1099[2][2]);
-                                                                        let _e1266 = (_e1099[1][0] - _e1099[0][0]);
-                                                                        let _e1267 = (_e1099[1][1] - _e1099[0][1]);
-                                                                        let _e1268 = (_e1099[1][2] - _e1099[0][2]);
-                                                                        let _e1269 = vec3<f32>(_e1266, _e1267, _e1268);
-                                                                        let _e1270 = (_e1099[2][0] - _e1099[1][0]);
-                                                                        let _e1271 = (_e1099[2][1] - _e1099[1][1]);
-                                                                        let _e1272 = (_e1099[2][2] - _e1099[1][2]);
-                                                                        let _e1273 = vec3<f32>(_e1270, _e1271, _e1272);
-                                                                        let _e1274 = (_e1099[0][0] - _e1099[2][0]);
-                                                                        let _e1275 = (_e1099[0][1] - _e1099[2][1]);
-                                                                        let _e1276 = (_e1099[0][2] - _e1099[2][2]);
-                                                                        let _e1277 = vec3<f32>(_e1274, _e1275, _e1276);
-                                                                        let _e1280 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
-                                                                        let _e1283 = bitcast<f32>((bitcast<u32>(_e1267) & 2147483647u));
-                                                                        let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
-                                                                        let _e1288 = bitcast<f32>((bitcast<u32>(_e1268) & 2147483647u));
-                                                                        let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
-                                                                        let _e1293 = bitcast<f32>((bitcast<u32>(_e1270) & 2147483647u));
-                                                                        let _e1296 = bitcast<f32>((bitcast<u32>(_e1271) & 2147483647u));
-                                                                        let _e1298 = select(_e1296, _e1293, (_e1293 > _e1296));
-                                                                        let _e1301 = bitcast<f32>((bitcast<u32>(_e1272) & 2147483647u));
-                                                                        let _e1303 = select(_e1301, _e1298, (_e1298 > _e1301));
-                                                                        let _e1306 = bitcast<f32>((bitcast<u32>(_e1274) & 2147483647u));
-                                                                        let _e1309 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
-                                                                        let _e1311 = select(_e1309, _e1306, (_e1306 > _e1309));
-                                                                        let _e1314 = bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u));
-                                                                        let _e1316 = select(_e1314, _e1311, (_e1311 > _e1314));
-                                                                        let _e1318 = select(_e1303, _e1290, (_e1290 > _e1303));
-                                                                        let _e1320 = select(_e1316, _e1318, (_e1318 > _e1316));
-                                                                        if (_e1290 == _e1320) {
-                                                                            phi_1653_ = _e1127;
-                                                                            phi_1654_ = _e1124;
-                                                                            phi_1655_ = _e1114;
-                                                                            phi_1656_ = _e1111;
-                                                                            phi_1657_ = _e1263;
-                                                                            phi_1658_ = _e1277;
-                                                                            phi_1659_ = _e1273;
-                                                                            phi_1660_ = _e1269;
+                                                                        let _e1427 = vec3<f32>(_e1263[0][0], _e1263[0][1], _e1263[0][2]);
+                                                                        let _e1428 = vec3<f32>(_e1263[1][0], _e1263[1][1], _e1263[1][2]);
+                                                                        let _e1429 = vec3<f32>(_e1263[2][0], _e1263[2][1], _e1263[2][2]);
+                                                                        let _e1430 = (_e1263[1][0] - _e1263[0][0]);
+                                                                        let _e1431 = (_e1263[1][1] - _e1263[0][1]);
+                                                                        let _e1432 = (_e1263[1][2] - _e1263[0][2]);
+                                                                        let _e1433 = vec3<f32>(_e1430, _e1431, _e1432);
+                                                                        let _e1434 = (_e1263[2][0] - _e1263[1][0]);
+                                                                        let _e1435 = (_e1263[2][1] - _e1263[1][1]);
+                                                                        let _e1436 = (_e1263[2][2] - _e1263[1][2]);
+                                                                        let _e1437 = vec3<f32>(_e1434, _e1435, _e1436);
+                                                                        let _e1438 = (_e1263[0][0] - _e1263[2][0]);
+                                                                        let _e1439 = (_e1263[0][1] - _e1263[2][1]);
+                                                                        let _e1440 = (_e1263[0][2] - _e1263[2][2]);
+                                                                        let _e1441 = vec3<f32>(_e1438, _e1439, _e1440);
+                                                                        let _e1444 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
+                                                                        let _e1447 = bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u));
+                                                                        let _e1449 = select(_e1447, _e1444, (_e1444 > _e1447));
+                                                                        let _e1452 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
+                                                                        let _e1454 = select(_e1452, _e1449, (_e1449 > _e1452));
+                                                                        let _e1457 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
+                                                                        let _e1460 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
+                                                                        let _e1462 = select(_e1460, _e1457, (_e1457 > _e1460));
+                                                                        let _e1465 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
+                                                                        let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
+                                                                        let _e1470 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
+                                                                        let _e1473 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
+                                                                        let _e1475 = select(_e1473, _e1470, (_e1470 > _e1473));
+                                                                        let _e1478 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
+                                                                        let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
+                                                                        let _e1482 = select(_e1467, _e1454, (_e1454 > _e1467));
+                                                                        let _e1484 = select(_e1480, _e1482, (_e1482 > _e1480));
+                                                                        if (_e1454 == _e1484) {
+                                                                            phi_1875_ = _e1291;
+                                                                            phi_1876_ = _e1288;
+                                                                            phi_1877_ = _e1278;
+                                                                            phi_1878_ = _e1275;
+                                                                            phi_1879_ = _e1427;
+                                                                            phi_1880_ = _e1441;
+                                                                            phi_1881_ = _e1437;
+                                                                            phi_1882_ = _e1433;
                                                                         } else {
-                                                                            let _e1322 = (_e1303 == _e1320);
-                                                                            let _e1327 = vec3(_e1322);
-                                                                            phi_1653_ = select(_e1114, _e1140, _e1322);
-                                                                            phi_1654_ = select(_e1111, _e1137, _e1322);
-                                                                            phi_1655_ = select(_e1140, _e1127, _e1322);
-                                                                            phi_1656_ = select(_e1137, _e1124, _e1322);
-                                                                            phi_1657_ = select(_e1265, _e1264, _e1327);
-                                                                            phi_1658_ = select(_e1273, _e1269, _e1327);
-                                                                            phi_1659_ = select(_e1269, _e1277, _e1327);
-                                                                            phi_1660_ = select(_e1277, _e1273, _e1327);
+                                                                            let _e1486 = (_e1467 == _e1484);
+                                                                            let _e1491 = vec3(_e1486);
+                                                                            phi_1875_ = select(_e1278, _e1304, _e1486);
+                                                                            phi_1876_ = select(_e1275, _e1301, _e1486);
+                                                                            phi_1877_ = select(_e1304, _e1291, _e1486);
+                                                                            phi_1878_ = select(_e1301, _e1288, _e1486);
+                                                                            phi_1879_ = select(_e1429, _e1428, _e1491);
+                                                                            phi_1880_ = select(_e1437, _e1433, _e1491);
+                                                                            phi_1881_ = select(_e1433, _e1441, _e1491);
+                                                                            phi_1882_ = select(_e1441, _e1437, _e1491);
                                                                         }
-                                                                        let _e1333 = phi_1653_;
-                                                                        let _e1335 = phi_1654_;
-                                                                        let _e1337 = phi_1655_;
-                                                                        let _e1339 = phi_1656_;
-                                                                        let _e1341 = phi_1657_;
-                                                                        let _e1343 = phi_1658_;
-                                                                        let _e1345 = phi_1659_;
-                                                                        let _e1347 = phi_1660_;
-                                                                        let _e1354 = ((_e1345.y * _e1343.z) - (_e1343.y * _e1345.z));
-                                                                        let _e1359 = ((_e1345.z * _e1343.x) - (_e1343.z * _e1345.x));
-                                                                        let _e1362 = ((_e1345.x * _e1343.y) - (_e1343.x * _e1345.y));
-                                                                        if (_e1162 >= _e1166) {
-                                                                            phi_1691_ = select(true, false, (_e1162 >= _e1170));
+                                                                        let _e1497 = phi_1875_;
+                                                                        let _e1499 = phi_1876_;
+                                                                        let _e1501 = phi_1877_;
+                                                                        let _e1503 = phi_1878_;
+                                                                        let _e1505 = phi_1879_;
+                                                                        let _e1507 = phi_1880_;
+                                                                        let _e1509 = phi_1881_;
+                                                                        let _e1511 = phi_1882_;
+                                                                        let _e1518 = ((_e1509.y * _e1507.z) - (_e1507.y * _e1509.z));
+                                                                        let _e1523 = ((_e1509.z * _e1507.x) - (_e1507.z * _e1509.x));
+                                                                        let _e1526 = ((_e1509.x * _e1507.y) - (_e1507.x * _e1509.y));
+                                                                        if (_e1326 >= _e1330) {
+                                                                            phi_1913_ = select(true, false, (_e1326 >= _e1334));
                                                                         } else {
-                                                                            phi_1691_ = true;
+                                                                            phi_1913_ = true;
                                                                         }
-                                                                        let _e1367 = phi_1691_;
-                                                                        if _e1367 {
-                                                                            phi_1700_ = select(_e1265, _e1264, vec3((_e1166 >= _e1170)));
+                                                                        let _e1531 = phi_1913_;
+                                                                        if _e1531 {
+                                                                            phi_1922_ = select(_e1429, _e1428, vec3((_e1330 >= _e1334)));
                                                                         } else {
-                                                                            phi_1700_ = _e1263;
+                                                                            phi_1922_ = _e1427;
                                                                         }
-                                                                        let _e1372 = phi_1700_;
-                                                                        let _e1383 = (((_e1354 * (_e1372.x - _e306)) + (_e1359 * (_e1372.y - _e345))) + (_e1362 * (_e1372.z - _e383)));
-                                                                        let _e1388 = (((_e1354 * _e331) + (_e1359 * _e369)) + (_e1362 * _e407));
-                                                                        let _e1389 = (_e1335 - _e1339);
-                                                                        let _e1390 = (_e1333 - _e1337);
-                                                                        let _e1398 = (-(((_e1339 * _e1389) + (_e1337 * _e1390))) / ((_e1389 * _e1389) + (_e1390 * _e1390)));
-                                                                        let _e1400 = select(1f, _e1398, (_e1398 < 1f));
-                                                                        let _e1402 = select(0f, _e1400, (_e1400 > 0f));
-                                                                        let _e1415 = ((_e1341.x + (_e1347.x * _e1402)) - _e306);
-                                                                        let _e1416 = ((_e1341.y + (_e1347.y * _e1402)) - _e345);
-                                                                        let _e1417 = ((_e1341.z + (_e1347.z * _e1402)) - _e383);
-                                                                        let _e1418 = (_e1417 / _e407);
-                                                                        let _e1430 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
-                                                                        let _e1433 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
-                                                                        let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
-                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
-                                                                        let _e1440 = select(_e1438, _e1435, (_e1435 > _e1438));
-                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1354) & 2147483647u));
-                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u));
-                                                                        let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
-                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1354 * _e1415) + (_e1359 * _e1416)) + (_e1362 * _e1417)) - _e1383)) & 2147483647u)) <= ((0.0000009536743f * select(_e1320, _e1440, (_e1440 > _e1320))) * select(_e1454, _e1451, (_e1451 > _e1454)))) {
-                                                                            let _e1464 = bitcast<f32>((bitcast<u32>(_e1345.x) & 2147483647u));
-                                                                            let _e1467 = bitcast<f32>((bitcast<u32>(_e1345.y) & 2147483647u));
-                                                                            let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
-                                                                            let _e1472 = bitcast<f32>((bitcast<u32>(_e1345.z) & 2147483647u));
-                                                                            let _e1478 = bitcast<f32>((bitcast<u32>(_e1343.x) & 2147483647u));
-                                                                            let _e1481 = bitcast<f32>((bitcast<u32>(_e1343.y) & 2147483647u));
-                                                                            let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
-                                                                            let _e1486 = bitcast<f32>((bitcast<u32>(_e1343.z) & 2147483647u));
-                                                                            let _e1490 = (bitcast<f32>((bitcast<u32>(_e1388) & 2147483647u)) > ((0.0000038146973f * select(_e1472, _e1469, (_e1469 > _e1472))) * select(_e1486, _e1483, (_e1483 > _e1486))));
-                                                                            if _e1490 {
-                                                                                phi_1865_ = (_e1383 / _e1388);
+                                                                        let _e1536 = phi_1922_;
+                                                                        let _e1547 = (((_e1518 * (_e1536.x - _e324)) + (_e1523 * (_e1536.y - _e393))) + (_e1526 * (_e1536.z - _e461)));
+                                                                        let _e1552 = (((_e1518 * _e364) + (_e1523 * _e432)) + (_e1526 * _e500));
+                                                                        let _e1553 = (_e1499 - _e1503);
+                                                                        let _e1554 = (_e1497 - _e1501);
+                                                                        let _e1562 = (-(((_e1503 * _e1553) + (_e1501 * _e1554))) / ((_e1553 * _e1553) + (_e1554 * _e1554)));
+                                                                        let _e1564 = select(1f, _e1562, (_e1562 < 1f));
+                                                                        let _e1566 = select(0f, _e1564, (_e1564 > 0f));
+                                                                        let _e1579 = ((_e1505.x + (_e1511.x * _e1566)) - _e324);
+                                                                        let _e1580 = ((_e1505.y + (_e1511.y * _e1566)) - _e393);
+                                                                        let _e1581 = ((_e1505.z + (_e1511.z * _e1566)) - _e461);
+                                                                        let _e1582 = (_e1581 / _e500);
+                                                                        let _e1594 = bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u));
+                                                                        let _e1597 = bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u));
+                                                                        let _e1599 = select(_e1597, _e1594, (_e1594 > _e1597));
+                                                                        let _e1602 = bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u));
+                                                                        let _e1604 = select(_e1602, _e1599, (_e1599 > _e1602));
+                                                                        let _e1610 = bitcast<f32>((bitcast<u32>(_e1518) & 2147483647u));
+                                                                        let _e1613 = bitcast<f32>((bitcast<u32>(_e1523) & 2147483647u));
+                                                                        let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
+                                                                        let _e1618 = bitcast<f32>((bitcast<u32>(_e1526) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1518 * _e1579) + (_e1523 * _e1580)) + (_e1526 * _e1581)) - _e1547)) & 2147483647u)) <= ((0.0000009536743f * select(_e1484, _e1604, (_e1604 > _e1484))) * select(_e1618, _e1615, (_e1615 > _e1618)))) {
+                                                                            let _e1628 = bitcast<f32>((bitcast<u32>(_e1509.x) & 2147483647u));
+                                                                            let _e1631 = bitcast<f32>((bitcast<u32>(_e1509.y) & 2147483647u));
+                                                                            let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
+                                                                            let _e1636 = bitcast<f32>((bitcast<u32>(_e1509.z) & 2147483647u));
+                                                                            let _e1642 = bitcast<f32>((bitcast<u32>(_e1507.x) & 2147483647u));
+                                                                            let _e1645 = bitcast<f32>((bitcast<u32>(_e1507.y) & 2147483647u));
+                                                                            let _e1647 = select(_e1645, _e1642, (_e1642 > _e1645));
+                                                                            let _e1650 = bitcast<f32>((bitcast<u32>(_e1507.z) & 2147483647u));
+                                                                            let _e1654 = (bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u)) > ((0.0000038146973f * select(_e1636, _e1633, (_e1633 > _e1636))) * select(_e1650, _e1647, (_e1647 > _e1650))));
+                                                                            if _e1654 {
+                                                                                phi_2087_ = (_e1547 / _e1552);
                                                                             } else {
-                                                                                phi_1865_ = f32();
+                                                                                phi_2087_ = f32();
                                                                             }
-                                                                            let _e1493 = phi_1865_;
-                                                                            phi_1867_ = _e1493;
-                                                                            phi_1868_ = select(true, false, _e1490);
+                                                                            let _e1657 = phi_2087_;
+                                                                            phi_2089_ = _e1657;
+                                                                            phi_2090_ = select(true, false, _e1654);
                                                                         } else {
-                                                                            phi_1867_ = f32();
-                                                                            phi_1868_ = true;
+                                                                            phi_2089_ = f32();
+                                                                            phi_2090_ = true;
                                                                         }
-                                                                        let _e1496 = phi_1867_;
-                                                                        let _e1498 = phi_1868_;
-                                                                        if _e1498 {
-                                                                            let _e1506 = (((_e1354 * (_e1415 - (_e331 * _e1418))) + (_e1359 * (_e1416 - (_e369 * _e1418)))) / _e1388);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1506) & 2147483647u)) <= _e1320) {
-                                                                                phi_1888_ = (_e1418 + _e1506);
+                                                                        let _e1660 = phi_2089_;
+                                                                        let _e1662 = phi_2090_;
+                                                                        if _e1662 {
+                                                                            let _e1670 = (((_e1518 * (_e1579 - (_e364 * _e1582))) + (_e1523 * (_e1580 - (_e432 * _e1582)))) / _e1552);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1670) & 2147483647u)) <= _e1484) {
+                                                                                phi_2110_ = (_e1582 + _e1670);
                                                                             } else {
-                                                                                phi_1888_ = _e1418;
+                                                                                phi_2110_ = _e1582;
                                                                             }
-                                                                            let _e1513 = phi_1888_;
-                                                                            phi_1889_ = _e1513;
+                                                                            let _e1677 = phi_2110_;
+                                                                            phi_2111_ = _e1677;
                                                                         } else {
-                                                                            phi_1889_ = _e1496;
+                                                                            phi_2111_ = _e1660;
                                                                         }
-                                                                        let _e1515 = phi_1889_;
-                                                                        let _e1517 = select(_e1253, _e1515, (_e1515 < _e1253));
-                                                                        let _e1519 = select(_e1245, _e1517, (_e1517 > _e1245));
-                                                                        if (_e1519 >= _e457) {
-                                                                            let _e1521 = (_e1519 <= _e997.member.member_1);
-                                                                            if _e1521 {
-                                                                                let _e1522 = (1f / _e1172);
-                                                                                phi_1912_ = type_29(_e1519, (_e1166 * _e1522), (_e1170 * _e1522), _e1032);
+                                                                        let _e1679 = phi_2111_;
+                                                                        let _e1681 = select(_e1417, _e1679, (_e1679 < _e1417));
+                                                                        let _e1683 = select(_e1409, _e1681, (_e1681 > _e1409));
+                                                                        if (_e1683 >= _e615) {
+                                                                            let _e1685 = (_e1683 <= _e1161.member.member_1);
+                                                                            if _e1685 {
+                                                                                let _e1686 = (1f / _e1336);
+                                                                                phi_2134_ = type_29(_e1683, (_e1330 * _e1686), (_e1334 * _e1686), _e1196);
                                                                             } else {
-                                                                                phi_1912_ = type_29();
+                                                                                phi_2134_ = type_29();
                                                                             }
-                                                                            let _e1527 = phi_1912_;
-                                                                            phi_1914_ = _e1527;
-                                                                            phi_1915_ = select(true, false, _e1521);
+                                                                            let _e1691 = phi_2134_;
+                                                                            phi_2136_ = _e1691;
+                                                                            phi_2137_ = select(true, false, _e1685);
                                                                         } else {
-                                                                            phi_1914_ = type_29();
-                                                                            phi_1915_ = true;
+                                                                            phi_2136_ = type_29();
+                                                                            phi_2137_ = true;
                                                                         }
-                                                                        let _e1530 = phi_1914_;
-                                                                        let _e1532 = phi_1915_;
-                                                                        if _e1532 {
-                                                                            phi_1919_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1694 = phi_2136_;
+                                                                        let _e1696 = phi_2137_;
+                                                                        if _e1696 {
+                                                                            phi_2141_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1919_ = _e1530;
+                                                                            phi_2141_ = _e1694;
                                                                         }
-                                                                        let _e1534 = phi_1919_;
-                                                                        phi_1920_ = _e1534;
+                                                                        let _e1698 = phi_2141_;
+                                                                        phi_2142_ = _e1698;
                                                                     }
-                                                                    let _e1536 = phi_1920_;
-                                                                    phi_1921_ = _e1536;
-                                                                    phi_1922_ = _e1262;
+                                                                    let _e1700 = phi_2142_;
+                                                                    phi_2143_ = _e1700;
+                                                                    phi_2144_ = _e1426;
                                                                 }
-                                                                let _e1538 = phi_1921_;
-                                                                let _e1540 = phi_1922_;
-                                                                phi_1926_ = _e1538;
-                                                                phi_1927_ = _e1540;
+                                                                let _e1702 = phi_2143_;
+                                                                let _e1704 = phi_2144_;
+                                                                phi_2148_ = _e1702;
+                                                                phi_2149_ = _e1704;
                                                             }
-                                                            let _e1542 = phi_1926_;
-                                                            let _e1544 = phi_1927_;
-                                                            phi_1928_ = _e1542;
-                                                            phi_1929_ = _e1197;
-                                                            phi_1930_ = _e1544;
+                                                            let _e1706 = phi_2148_;
+                                                            let _e1708 = phi_2149_;
+                                                            phi_2150_ = _e1706;
+                                                            phi_2151_ = _e1361;
+                                                            phi_2152_ = _e1708;
                                                         }
-                                                        let _e1546 = phi_1928_;
-                                                        let _e1548 = phi_1929_;
-                                                        let _e1550 = phi_1930_;
-                                                        phi_1931_ = _e1546;
-                                                        phi_1932_ = _e1548;
-                                                        phi_1933_ = _e1550;
+                                                        let _e1710 = phi_2150_;
+                                                        let _e1712 = phi_2151_;
+                                                        let _e1714 = phi_2152_;
+                                                        phi_2153_ = _e1710;
+                                                        phi_2154_ = _e1712;
+                                                        phi_2155_ = _e1714;
                                                     }
-                                                    let _e1552 = phi_1931_;
-                                                    let _e1554 = phi_1932_;
-                                                    let _e1556 = phi_1933_;
-                                                    phi_1941_ = _e1552;
-                                                    phi_1942_ = select(_e1556, true, _e1554);
+                                                    let _e1716 = phi_2153_;
+                                                    let _e1718 = phi_2154_;
+                                                    let _e1720 = phi_2155_;
+                                                    phi_2163_ = _e1716;
+                                                    phi_2164_ = select(_e1720, true, _e1718);
                                                 } else {
-                                                    phi_1941_ = type_29();
-                                                    phi_1942_ = true;
+                                                    phi_2163_ = type_29();
+                                                    phi_2164_ = true;
                                                 }
-                                                let _e1559 = phi_1941_;
-                                                let _e1561 = phi_1942_;
-                                                if _e1561 {
-                                                    phi_1946_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1723 = phi_2163_;
+                                                let _e1725 = phi_2164_;
+                                                if _e1725 {
+                                                    phi_2168_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1946_ = _e1559;
+                                                    phi_2168_ = _e1723;
                                                 }
-                                                let _e1563 = phi_1946_;
-                                                if (_e1563.member_3 != 4294967295u) {
-                                                    if (_e1032 != 4294967295u) {
-                                                        if (_e1563.member < _e997.member.member.member) {
-                                                            phi_1972_ = true;
+                                                let _e1727 = phi_2168_;
+                                                if (_e1727.member_3 != 4294967295u) {
+                                                    if (_e1196 != 4294967295u) {
+                                                        if (_e1727.member < _e1161.member.member.member) {
+                                                            phi_2194_ = true;
                                                         } else {
-                                                            if (_e1563.member == _e997.member.member.member) {
-                                                                phi_1971_ = (_e1563.member_3 < _e997.member.member.member_3);
+                                                            if (_e1727.member == _e1161.member.member.member) {
+                                                                phi_2193_ = (_e1727.member_3 < _e1161.member.member.member_3);
                                                             } else {
-                                                                phi_1971_ = false;
+                                                                phi_2193_ = false;
                                                             }
-                                                            let _e1578 = phi_1971_;
-                                                            phi_1972_ = _e1578;
+                                                            let _e1742 = phi_2193_;
+                                                            phi_2194_ = _e1742;
                                                         }
-                                                        let _e1580 = phi_1972_;
-                                                        if _e1580 {
-                                                            phi_1979_ = type_44(type_37(_e1563, _e1563.member), _e1024.member_1, _e1024.member_2);
+                                                        let _e1744 = phi_2194_;
+                                                        if _e1744 {
+                                                            phi_2201_ = type_44(type_37(_e1727, _e1727.member), _e1188.member_1, _e1188.member_2);
                                                         } else {
-                                                            phi_1979_ = _e1024;
+                                                            phi_2201_ = _e1188;
                                                         }
-                                                        let _e1587 = phi_1979_;
-                                                        phi_1980_ = _e1587;
+                                                        let _e1751 = phi_2201_;
+                                                        phi_2202_ = _e1751;
                                                     } else {
-                                                        phi_1980_ = _e1024;
+                                                        phi_2202_ = _e1188;
                                                     }
-                                                    let _e1589 = phi_1980_;
-                                                    phi_1981_ = _e1589;
+                                                    let _e1753 = phi_2202_;
+                                                    phi_2203_ = _e1753;
                                                 } else {
-                                                    phi_1981_ = _e1024;
+                                                    phi_2203_ = _e1188;
                                                 }
-                                                let _e1591 = phi_1981_;
-                                                phi_968_ = _e1591;
+                                                let _e1755 = phi_2203_;
+                                                phi_1190_ = _e1755;
                                             } else {
-                                                phi_968_ = type_44();
+                                                phi_1190_ = type_44();
                                             }
-                                            let _e1593 = phi_968_;
+                                            let _e1757 = phi_1190_;
                                             continue;
                                             continuing {
-                                                phi_967_ = _e1593;
-                                                phi_970_ = _e1012;
-                                                phi_3409_ = _e500;
-                                                break if !(_e1018);
+                                                phi_1189_ = _e1757;
+                                                phi_1192_ = _e1176;
+                                                phi_3639_ = _e658;
+                                                break if !(_e1182);
                                             }
                                         }
-                                        let _e1596 = phi_3409_;
-                                        phi_3551_ = _e1596;
-                                        if _e1596 {
+                                        let _e1760 = phi_3639_;
+                                        phi_3799_ = _e1760;
+                                        if _e1760 {
                                             break;
                                         }
-                                        phi_3555_ = _e1596;
-                                        let _e1768 = local_12;
-                                        phi_3189_ = _e1768;
-                                        phi_3190_ = _e542;
-                                        phi_3191_ = false;
-                                        phi_3192_ = _e546;
+                                        phi_3803_ = _e1760;
+                                        let _e1938 = local_12;
+                                        phi_3411_ = _e1938;
+                                        phi_3412_ = _e700;
+                                        phi_3413_ = false;
+                                        phi_3414_ = _e704;
                                     } else {
-                                        if (_e542.member_1 >= _e87) {
-                                            phi_2745_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e700.member_1 >= _e90) {
+                                            phi_2967_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e542.member_1 < _e87) {
+                                            if (_e700.member_1 < _e90) {
                                             } else {
-                                                phi_3551_ = true;
+                                                phi_3799_ = true;
                                                 break;
                                             }
-                                            let _e564 = ((1u + _e257) % 4u);
-                                            if (_e564 < 4u) {
+                                            let _e722 = ((1u + _e260) % 4u);
+                                            if (_e722 < 4u) {
                                             } else {
-                                                phi_3551_ = true;
+                                                phi_3799_ = true;
                                                 break;
                                             }
-                                            let _e569 = global_4.member[_e542.member_1][_e564];
-                                            let _e571 = (_e569 >> bitcast<u32>(11u));
-                                            let _e573 = ((1u + _e256) % 4u);
-                                            if (_e573 < 4u) {
+                                            let _e727 = global_4.member[_e700.member_1][_e722];
+                                            let _e729 = (_e727 >> bitcast<u32>(11u));
+                                            let _e731 = ((1u + _e259) % 4u);
+                                            if (_e731 < 4u) {
                                             } else {
-                                                phi_3551_ = true;
+                                                phi_3799_ = true;
                                                 break;
                                             }
-                                            let _e578 = global_4.member[_e542.member_1][_e573];
-                                            let _e580 = (_e578 >> bitcast<u32>(11u));
-                                            let _e582 = ((1u + _e258) % 4u);
-                                            if (_e582 < 4u) {
+                                            let _e736 = global_4.member[_e700.member_1][_e731];
+                                            let _e738 = (_e736 >> bitcast<u32>(11u));
+                                            let _e740 = ((1u + _e261) % 4u);
+                                            if (_e740 < 4u) {
                                             } else {
-                                                phi_3551_ = true;
+                                                phi_3799_ = true;
                                                 break;
                                             }
-                                            let _e587 = global_4.member[_e542.member_1][_e582];
-                                            let _e589 = (_e587 >> bitcast<u32>(11u));
-                                            let _e612 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.x - _e542.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e613 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.y - _e542.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e614 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.z - _e542.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e616 = select(_e137, _e612, (_e612 > _e137));
-                                            let _e618 = select(_e137, _e613, (_e613 > _e137));
-                                            let _e620 = select(_e137, _e614, (_e614 > _e137));
-                                            let _e645 = bitcast<u32>((f32(bitcast<i32>((_e569 & 1023u))) * _e616));
-                                            let _e650 = (bitcast<i32>((_e569 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e653 = bitcast<f32>((_e645 & bitcast<u32>(_e650)));
-                                            let _e654 = bitcast<u32>((f32(bitcast<i32>((_e578 & 1023u))) * _e618));
-                                            let _e659 = (bitcast<i32>((_e578 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e662 = bitcast<f32>((_e654 & bitcast<u32>(_e659)));
-                                            let _e663 = bitcast<u32>((f32(bitcast<i32>((_e587 & 1023u))) * _e620));
-                                            let _e668 = (bitcast<i32>((_e587 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e671 = bitcast<f32>((_e663 & bitcast<u32>(_e668)));
-                                            let _e675 = bitcast<f32>((_e645 & bitcast<u32>(~(_e650))));
-                                            let _e679 = bitcast<f32>((_e654 & bitcast<u32>(~(_e659))));
-                                            let _e683 = bitcast<f32>((_e663 & bitcast<u32>(~(_e668))));
-                                            let _e684 = bitcast<u32>((f32(bitcast<i32>((_e571 & 1023u))) * _e616));
-                                            let _e689 = (bitcast<i32>((_e571 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e692 = bitcast<f32>((_e684 & bitcast<u32>(_e689)));
-                                            let _e693 = bitcast<u32>((f32(bitcast<i32>((_e580 & 1023u))) * _e618));
-                                            let _e698 = (bitcast<i32>((_e580 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e701 = bitcast<f32>((_e693 & bitcast<u32>(_e698)));
-                                            let _e702 = bitcast<u32>((f32(bitcast<i32>((_e589 & 1023u))) * _e620));
-                                            let _e707 = (bitcast<i32>((_e589 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e710 = bitcast<f32>((_e702 & bitcast<u32>(_e707)));
-                                            let _e714 = bitcast<f32>((_e684 & bitcast<u32>(~(_e689))));
-                                            let _e718 = bitcast<f32>((_e693 & bitcast<u32>(~(_e698))));
-                                            let _e722 = bitcast<f32>((_e702 & bitcast<u32>(~(_e707))));
-                                            let _e752 = global_4.member[_e542.member_1][0u];
-                                            let _e756 = global_4.member[_e542.member_1][1u];
-                                            let _e760 = global_4.member[_e542.member_1][2u];
-                                            let _e764 = global_4.member[_e542.member_1][3u];
-                                            let _e776 = (((_e756 >> bitcast<u32>(22i)) | ((_e760 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e764 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e777 = (_e752 & 268435455u);
-                                            let _e778 = (_e776 & 268435455u);
-                                            let _e781 = ((_e752 >> bitcast<u32>(28u)) & 7u);
-                                            let _e789 = ((_e752 >> bitcast<u32>(31i)) | (((_e776 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e790 = (_e781 != 0u);
-                                            if (_e781 == 0u) {
-                                                phi_2707_ = _e777;
+                                            let _e745 = global_4.member[_e700.member_1][_e740];
+                                            let _e747 = (_e745 >> bitcast<u32>(11u));
+                                            let _e770 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.x - _e700.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e771 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.y - _e700.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e772 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.z - _e700.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e774 = select(_e140, _e770, (_e770 > _e140));
+                                            let _e776 = select(_e140, _e771, (_e771 > _e140));
+                                            let _e778 = select(_e140, _e772, (_e772 > _e140));
+                                            let _e809 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e727 & 1023u))) - 8388608f) * _e774));
+                                            let _e814 = (bitcast<i32>((_e727 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e817 = bitcast<f32>((_e809 & bitcast<u32>(_e814)));
+                                            let _e818 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e736 & 1023u))) - 8388608f) * _e776));
+                                            let _e823 = (bitcast<i32>((_e736 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e826 = bitcast<f32>((_e818 & bitcast<u32>(_e823)));
+                                            let _e827 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e745 & 1023u))) - 8388608f) * _e778));
+                                            let _e832 = (bitcast<i32>((_e745 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e835 = bitcast<f32>((_e827 & bitcast<u32>(_e832)));
+                                            let _e839 = bitcast<f32>((_e809 & bitcast<u32>(~(_e814))));
+                                            let _e843 = bitcast<f32>((_e818 & bitcast<u32>(~(_e823))));
+                                            let _e847 = bitcast<f32>((_e827 & bitcast<u32>(~(_e832))));
+                                            let _e848 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e729 & 1023u))) - 8388608f) * _e774));
+                                            let _e853 = (bitcast<i32>((_e729 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e856 = bitcast<f32>((_e848 & bitcast<u32>(_e853)));
+                                            let _e857 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e738 & 1023u))) - 8388608f) * _e776));
+                                            let _e862 = (bitcast<i32>((_e738 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e865 = bitcast<f32>((_e857 & bitcast<u32>(_e862)));
+                                            let _e866 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e747 & 1023u))) - 8388608f) * _e778));
+                                            let _e871 = (bitcast<i32>((_e747 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e874 = bitcast<f32>((_e866 & bitcast<u32>(_e871)));
+                                            let _e878 = bitcast<f32>((_e848 & bitcast<u32>(~(_e853))));
+                                            let _e882 = bitcast<f32>((_e857 & bitcast<u32>(~(_e862))));
+                                            let _e886 = bitcast<f32>((_e866 & bitcast<u32>(~(_e871))));
+                                            let _e916 = global_4.member[_e700.member_1][0u];
+                                            let _e920 = global_4.member[_e700.member_1][1u];
+                                            let _e924 = global_4.member[_e700.member_1][2u];
+                                            let _e928 = global_4.member[_e700.member_1][3u];
+                                            let _e940 = (((_e920 >> bitcast<u32>(22i)) | ((_e924 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e928 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e941 = (_e916 & 268435455u);
+                                            let _e942 = (_e940 & 268435455u);
+                                            let _e945 = ((_e916 >> bitcast<u32>(28u)) & 7u);
+                                            let _e953 = ((_e916 >> bitcast<u32>(31i)) | (((_e940 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e954 = (_e945 != 0u);
+                                            if (_e945 == 0u) {
+                                                phi_2929_ = _e941;
                                             } else {
-                                                if (_e781 == 7u) {
-                                                    phi_2706_ = 2147483648u;
+                                                if (_e945 == 7u) {
+                                                    phi_2928_ = 2147483648u;
                                                 } else {
-                                                    phi_2706_ = ((2147483648u | (_e781 << bitcast<u32>(28u))) | (_e778 & 268435455u));
+                                                    phi_2928_ = ((2147483648u | (_e945 << bitcast<u32>(28u))) | (_e942 & 268435455u));
                                                 }
-                                                let _e799 = phi_2706_;
-                                                phi_2707_ = _e799;
+                                                let _e963 = phi_2928_;
+                                                phi_2929_ = _e963;
                                             }
-                                            let _e801 = phi_2707_;
-                                            if _e790 {
-                                                let _e802 = (_e781 != 7u);
-                                                if _e802 {
-                                                    phi_2717_ = (_e778 + _e781);
+                                            let _e965 = phi_2929_;
+                                            if _e954 {
+                                                let _e966 = (_e945 != 7u);
+                                                if _e966 {
+                                                    phi_2939_ = (_e942 + _e945);
                                                 } else {
-                                                    phi_2717_ = u32();
+                                                    phi_2939_ = u32();
                                                 }
-                                                let _e805 = phi_2717_;
-                                                phi_2719_ = _e805;
-                                                phi_2720_ = select(true, false, _e802);
+                                                let _e969 = phi_2939_;
+                                                phi_2941_ = _e969;
+                                                phi_2942_ = select(true, false, _e966);
                                             } else {
-                                                phi_2719_ = u32();
-                                                phi_2720_ = true;
+                                                phi_2941_ = u32();
+                                                phi_2942_ = true;
                                             }
-                                            let _e808 = phi_2719_;
-                                            let _e810 = phi_2720_;
-                                            if (_e789 == 0u) {
-                                                phi_2741_ = (_e777 + select(0u, 1u, !(_e790)));
+                                            let _e972 = phi_2941_;
+                                            let _e974 = phi_2942_;
+                                            if (_e953 == 0u) {
+                                                phi_2963_ = (_e941 + select(0u, 1u, !(_e954)));
                                             } else {
-                                                if (_e789 == 7u) {
-                                                    phi_2740_ = 2147483648u;
+                                                if (_e953 == 7u) {
+                                                    phi_2962_ = 2147483648u;
                                                 } else {
-                                                    phi_2740_ = ((2147483648u | (_e789 << bitcast<u32>(28u))) | (select(_e808, _e778, _e810) & 268435455u));
+                                                    phi_2962_ = ((2147483648u | (_e953 << bitcast<u32>(28u))) | (select(_e972, _e942, _e974) & 268435455u));
                                                 }
-                                                let _e823 = phi_2740_;
-                                                phi_2741_ = _e823;
+                                                let _e987 = phi_2962_;
+                                                phi_2963_ = _e987;
                                             }
-                                            let _e825 = phi_2741_;
-                                            phi_2745_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e542.member.member.x + _e653), (_e542.member.member.x + _e675), (_e542.member.member_1.x - _e692), (_e542.member.member_1.x - _e714)), vec4<f32>((_e542.member.member.y + _e662), (_e542.member.member.y + _e679), (_e542.member.member_1.y - _e701), (_e542.member.member_1.y - _e718)), vec4<f32>((_e542.member.member.z + _e671), (_e542.member.member.z + _e683), (_e542.member.member_1.z - _e710), (_e542.member.member_1.z - _e722))), type_51(type_33((_e542.member.member + vec4<f32>(_e653, _e662, _e671, 0f)), (_e542.member.member_1 - vec4<f32>(_e692, _e701, _e710, 0f))), _e801), type_51(type_33((_e542.member.member + vec4<f32>(_e675, _e679, _e683, 0f)), (_e542.member.member_1 - vec4<f32>(_e714, _e718, _e722, 0f))), _e825));
+                                            let _e989 = phi_2963_;
+                                            phi_2967_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e700.member.member.x + _e817), (_e700.member.member.x + _e839), (_e700.member.member_1.x - _e856), (_e700.member.member_1.x - _e878)), vec4<f32>((_e700.member.member.y + _e826), (_e700.member.member.y + _e843), (_e700.member.member_1.y - _e865), (_e700.member.member_1.y - _e882)), vec4<f32>((_e700.member.member.z + _e835), (_e700.member.member.z + _e847), (_e700.member.member_1.z - _e874), (_e700.member.member_1.z - _e886))), type_51(type_33((_e700.member.member + vec4<f32>(_e817, _e826, _e835, 0f)), (_e700.member.member_1 - vec4<f32>(_e856, _e865, _e874, 0f))), _e965), type_51(type_33((_e700.member.member + vec4<f32>(_e839, _e843, _e847, 0f)), (_e700.member.member_1 - vec4<f32>(_e878, _e882, _e886, 0f))), _e989));
                                         }
-                                        let _e830 = phi_2745_;
-                                        let _e843 = ((_e830.member[0].x - _e329) * _e334);
-                                        let _e844 = ((_e830.member[0].y - _e329) * _e334);
-                                        let _e845 = ((_e830.member[0].z - _e330) * _e334);
-                                        let _e846 = ((_e830.member[0].w - _e330) * _e334);
-                                        let _e856 = ((_e830.member[1].x - _e367) * _e372);
-                                        let _e857 = ((_e830.member[1].y - _e367) * _e372);
-                                        let _e858 = ((_e830.member[1].z - _e368) * _e372);
-                                        let _e859 = ((_e830.member[1].w - _e368) * _e372);
-                                        let _e869 = ((_e830.member[2].x - _e405) * _e410);
-                                        let _e870 = ((_e830.member[2].y - _e405) * _e410);
-                                        let _e871 = ((_e830.member[2].z - _e406) * _e410);
-                                        let _e872 = ((_e830.member[2].w - _e406) * _e410);
-                                        let _e874 = select(_e871, _e869, (_e869 < _e871));
-                                        let _e876 = select(_e872, _e870, (_e870 < _e872));
-                                        let _e878 = select(_e871, _e869, (_e869 > _e871));
-                                        let _e880 = select(_e872, _e870, (_e870 > _e872));
-                                        let _e882 = select(_e845, _e843, (_e843 < _e845));
-                                        let _e884 = select(_e846, _e844, (_e844 < _e846));
-                                        let _e886 = select(_e858, _e856, (_e856 < _e858));
-                                        let _e888 = select(_e859, _e857, (_e857 < _e859));
-                                        let _e890 = select(_e886, _e882, (_e882 > _e886));
-                                        let _e892 = select(_e888, _e884, (_e884 > _e888));
-                                        let _e894 = select(_e874, _e890, (_e890 > _e874));
-                                        let _e896 = select(_e876, _e892, (_e892 > _e876));
-                                        let _e898 = select(_e845, _e843, (_e843 > _e845));
-                                        let _e900 = select(_e846, _e844, (_e844 > _e846));
-                                        let _e902 = select(_e858, _e856, (_e856 > _e858));
-                                        let _e904 = select(_e859, _e857, (_e857 > _e859));
-                                        let _e906 = select(_e902, _e898, (_e898 < _e902));
-                                        let _e908 = select(_e904, _e900, (_e900 < _e904));
-                                        let _e913 = -(_e874);
-                                        let _e914 = -(_e876);
-                                        let _e921 = (select(_e878, _e906, (_e906 < _e878)) + (select(_e913, _e878, (_e878 > _e913)) * 0.0000019073523f));
-                                        let _e922 = (select(_e880, _e908, (_e908 < _e880)) + (select(_e914, _e880, (_e880 > _e914)) * 0.0000019073523f));
-                                        let _e924 = select(_e457, _e894, (_e894 > _e457));
-                                        let _e926 = select(_e457, _e896, (_e896 > _e457));
-                                        let _e931 = (_e924 <= select(_e502.member.member_1, _e921, (_e921 < _e502.member.member_1)));
-                                        let _e932 = (_e926 <= select(_e502.member.member_1, _e922, (_e922 < _e502.member.member_1)));
-                                        let _e933 = (_e924 <= _e926);
-                                        if _e931 {
-                                            if _e932 {
-                                                if _e933 {
-                                                    phi_3089_ = _e830.member_2;
+                                        let _e994 = phi_2967_;
+                                        let _e1007 = ((_e994.member[0].x - _e362) * _e367);
+                                        let _e1008 = ((_e994.member[0].y - _e362) * _e367);
+                                        let _e1009 = ((_e994.member[0].z - _e363) * _e367);
+                                        let _e1010 = ((_e994.member[0].w - _e363) * _e367);
+                                        let _e1020 = ((_e994.member[1].x - _e430) * _e435);
+                                        let _e1021 = ((_e994.member[1].y - _e430) * _e435);
+                                        let _e1022 = ((_e994.member[1].z - _e431) * _e435);
+                                        let _e1023 = ((_e994.member[1].w - _e431) * _e435);
+                                        let _e1033 = ((_e994.member[2].x - _e498) * _e503);
+                                        let _e1034 = ((_e994.member[2].y - _e498) * _e503);
+                                        let _e1035 = ((_e994.member[2].z - _e499) * _e503);
+                                        let _e1036 = ((_e994.member[2].w - _e499) * _e503);
+                                        let _e1038 = select(_e1035, _e1033, (_e1033 < _e1035));
+                                        let _e1040 = select(_e1036, _e1034, (_e1034 < _e1036));
+                                        let _e1042 = select(_e1035, _e1033, (_e1033 > _e1035));
+                                        let _e1044 = select(_e1036, _e1034, (_e1034 > _e1036));
+                                        let _e1046 = select(_e1009, _e1007, (_e1007 < _e1009));
+                                        let _e1048 = select(_e1010, _e1008, (_e1008 < _e1010));
+                                        let _e1050 = select(_e1022, _e1020, (_e1020 < _e1022));
+                                        let _e1052 = select(_e1023, _e1021, (_e1021 < _e1023));
+                                        let _e1054 = select(_e1050, _e1046, (_e1046 > _e1050));
+                                        let _e1056 = select(_e1052, _e1048, (_e1048 > _e1052));
+                                        let _e1058 = select(_e1038, _e1054, (_e1054 > _e1038));
+                                        let _e1060 = select(_e1040, _e1056, (_e1056 > _e1040));
+                                        let _e1062 = select(_e1009, _e1007, (_e1007 > _e1009));
+                                        let _e1064 = select(_e1010, _e1008, (_e1008 > _e1010));
+                                        let _e1066 = select(_e1022, _e1020, (_e1020 > _e1022));
+                                        let _e1068 = select(_e1023, _e1021, (_e1021 > _e1023));
+                                        let _e1070 = select(_e1066, _e1062, (_e1062 < _e1066));
+                                        let _e1072 = select(_e1068, _e1064, (_e1064 < _e1068));
+                                        let _e1077 = -(_e1038);
+                                        let _e1078 = -(_e1040);
+                                        let _e1085 = (select(_e1042, _e1070, (_e1070 < _e1042)) + (select(_e1077, _e1042, (_e1042 > _e1077)) * 0.0000019073523f));
+                                        let _e1086 = (select(_e1044, _e1072, (_e1072 < _e1044)) + (select(_e1078, _e1044, (_e1044 > _e1078)) * 0.0000019073523f));
+                                        let _e1088 = select(_e615, _e1058, (_e1058 > _e615));
+                                        let _e1090 = select(_e615, _e1060, (_e1060 > _e615));
+                                        let _e1095 = (_e1088 <= select(_e660.member.member_1, _e1085, (_e1085 < _e660.member.member_1)));
+                                        let _e1096 = (_e1090 <= select(_e660.member.member_1, _e1086, (_e1086 < _e660.member.member_1)));
+                                        let _e1097 = (_e1088 <= _e1090);
+                                        if _e1095 {
+                                            if _e1096 {
+                                                if _e1097 {
+                                                    phi_3311_ = _e994.member_2;
                                                 } else {
-                                                    phi_3089_ = _e830.member_1;
+                                                    phi_3311_ = _e994.member_1;
                                                 }
-                                                let _e937 = phi_3089_;
-                                                let _e959 = (_e546 % 128u);
-                                                let _e960 = (_e959 < 128u);
-                                                if _e960 {
+                                                let _e1101 = phi_3311_;
+                                                let _e1123 = (_e704 % 128u);
+                                                let _e1124 = (_e1123 < 128u);
+                                                if _e1124 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_8[_e959] = _e937.member_1;
-                                                if _e960 {
+                                                local_8[_e1123] = _e1101.member_1;
+                                                if _e1124 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_7[_e959] = _e937.member.member.x;
-                                                if _e960 {
+                                                local_7[_e1123] = _e1101.member.member.x;
+                                                if _e1124 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_6[_e959] = _e937.member.member.y;
-                                                if _e960 {
+                                                local_6[_e1123] = _e1101.member.member.y;
+                                                if _e1124 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_5[_e959] = _e937.member.member.z;
-                                                if _e960 {
+                                                local_5[_e1123] = _e1101.member.member.z;
+                                                if _e1124 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_4[_e959] = _e937.member.member_1.x;
-                                                if _e960 {
+                                                local_4[_e1123] = _e1101.member.member_1.x;
+                                                if _e1124 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_3[_e959] = _e937.member.member_1.y;
-                                                if _e960 {
+                                                local_3[_e1123] = _e1101.member.member_1.y;
+                                                if _e1124 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_2[_e959] = _e937.member.member_1.z;
-                                                if _e960 {
+                                                local_2[_e1123] = _e1101.member.member_1.z;
+                                                if _e1124 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_9[_e959] = select(_e926, _e924, (_e924 > _e926));
-                                                if _e933 {
-                                                    phi_3166_ = _e830.member_1;
+                                                local_9[_e1123] = select(_e1090, _e1088, (_e1088 > _e1090));
+                                                if _e1097 {
+                                                    phi_3388_ = _e994.member_1;
                                                 } else {
-                                                    phi_3166_ = _e830.member_2;
+                                                    phi_3388_ = _e994.member_2;
                                                 }
-                                                let _e973 = phi_3166_;
-                                                phi_3167_ = _e973;
-                                                phi_3168_ = (_e546 + 1u);
+                                                let _e1137 = phi_3388_;
+                                                phi_3389_ = _e1137;
+                                                phi_3390_ = (_e704 + 1u);
                                             } else {
-                                                phi_3167_ = type_51();
-                                                phi_3168_ = u32();
+                                                phi_3389_ = type_51();
+                                                phi_3390_ = u32();
                                             }
-                                            let _e975 = phi_3167_;
-                                            let _e977 = phi_3168_;
-                                            phi_3170_ = _e975;
-                                            phi_3171_ = _e977;
-                                            phi_3172_ = select(true, false, _e932);
+                                            let _e1139 = phi_3389_;
+                                            let _e1141 = phi_3390_;
+                                            phi_3392_ = _e1139;
+                                            phi_3393_ = _e1141;
+                                            phi_3394_ = select(true, false, _e1096);
                                         } else {
-                                            phi_3170_ = type_51();
-                                            phi_3171_ = u32();
-                                            phi_3172_ = true;
+                                            phi_3392_ = type_51();
+                                            phi_3393_ = u32();
+                                            phi_3394_ = true;
                                         }
-                                        let _e980 = phi_3170_;
-                                        let _e982 = phi_3171_;
-                                        let _e984 = phi_3172_;
-                                        if _e984 {
-                                            if _e931 {
-                                                phi_3181_ = _e830.member_1;
+                                        let _e1144 = phi_3392_;
+                                        let _e1146 = phi_3393_;
+                                        let _e1148 = phi_3394_;
+                                        if _e1148 {
+                                            if _e1095 {
+                                                phi_3403_ = _e994.member_1;
                                             } else {
-                                                phi_3181_ = _e830.member_2;
+                                                phi_3403_ = _e994.member_2;
                                             }
-                                            let _e988 = phi_3181_;
-                                            phi_3186_ = _e988;
-                                            phi_3187_ = select(_e932, true, _e931);
+                                            let _e1152 = phi_3403_;
+                                            phi_3408_ = _e1152;
+                                            phi_3409_ = select(_e1096, true, _e1095);
                                         } else {
-                                            phi_3186_ = _e980;
-                                            phi_3187_ = _e544;
+                                            phi_3408_ = _e1144;
+                                            phi_3409_ = _e702;
                                         }
-                                        let _e991 = phi_3186_;
-                                        let _e993 = phi_3187_;
-                                        phi_3555_ = _e500;
-                                        phi_3189_ = type_44(_e502.member, (_e502.member_1 + 1u), _e502.member_2);
-                                        phi_3190_ = _e991;
-                                        phi_3191_ = _e993;
-                                        phi_3192_ = select(_e982, _e546, _e984);
+                                        let _e1155 = phi_3408_;
+                                        let _e1157 = phi_3409_;
+                                        phi_3803_ = _e658;
+                                        phi_3411_ = type_44(_e660.member, (_e660.member_1 + 1u), _e660.member_2);
+                                        phi_3412_ = _e1155;
+                                        phi_3413_ = _e1157;
+                                        phi_3414_ = select(_e1146, _e704, _e1148);
                                     }
-                                    let _e1598 = phi_3555_;
-                                    let _e1600 = phi_3189_;
-                                    let _e1602 = phi_3190_;
-                                    let _e1604 = phi_3191_;
-                                    let _e1606 = phi_3192_;
-                                    phi_3554_ = _e1598;
-                                    phi_3193_ = _e1600;
-                                    phi_3194_ = _e1602;
-                                    phi_3195_ = (_e506 - 1u);
-                                    phi_3196_ = _e1604;
-                                    phi_3197_ = _e1606;
+                                    let _e1762 = phi_3803_;
+                                    let _e1764 = phi_3411_;
+                                    let _e1766 = phi_3412_;
+                                    let _e1768 = phi_3413_;
+                                    let _e1770 = phi_3414_;
+                                    phi_3802_ = _e1762;
+                                    phi_3415_ = _e1764;
+                                    phi_3416_ = _e1766;
+                                    phi_3417_ = (_e664 - 1u);
+                                    phi_3418_ = _e1768;
+                                    phi_3419_ = _e1770;
                                 } else {
-                                    phi_3554_ = _e500;
-                                    phi_3193_ = _e502;
-                                    phi_3194_ = _e542;
-                                    phi_3195_ = _e506;
-                                    phi_3196_ = _e544;
-                                    phi_3197_ = _e546;
+                                    phi_3802_ = _e658;
+                                    phi_3415_ = _e660;
+                                    phi_3416_ = _e700;
+                                    phi_3417_ = _e664;
+                                    phi_3418_ = _e702;
+                                    phi_3419_ = _e704;
                                 }
-                                let _e1608 = phi_3554_;
-                                let _e1610 = phi_3193_;
-                                let _e1612 = phi_3194_;
-                                let _e1614 = phi_3195_;
-                                let _e1616 = phi_3196_;
-                                let _e1618 = phi_3197_;
-                                phi_3553_ = _e1608;
-                                phi_3198_ = _e1610;
-                                phi_3199_ = _e1612;
-                                phi_3200_ = _e1614;
-                                phi_3201_ = _e1616;
-                                phi_3202_ = _e1618;
+                                let _e1772 = phi_3802_;
+                                let _e1774 = phi_3415_;
+                                let _e1776 = phi_3416_;
+                                let _e1778 = phi_3417_;
+                                let _e1780 = phi_3418_;
+                                let _e1782 = phi_3419_;
+                                phi_3801_ = _e1772;
+                                phi_3420_ = _e1774;
+                                phi_3421_ = _e1776;
+                                phi_3422_ = _e1778;
+                                phi_3423_ = _e1780;
+                                phi_3424_ = _e1782;
                             } else {
-                                phi_3553_ = _e500;
-                                phi_3198_ = type_44();
-                                phi_3199_ = type_51();
-                                phi_3200_ = u32();
-                                phi_3201_ = bool();
-                                phi_3202_ = u32();
+                                phi_3801_ = _e658;
+                                phi_3420_ = type_44();
+                                phi_3421_ = type_51();
+                                phi_3422_ = u32();
+                                phi_3423_ = bool();
+                                phi_3424_ = u32();
                             }
-                            let _e1620 = phi_3553_;
-                            let _e1622 = phi_3198_;
-                            let _e1624 = phi_3199_;
-                            let _e1626 = phi_3200_;
-                            let _e1628 = phi_3201_;
-                            let _e1630 = phi_3202_;
-                            phi_3552_ = _e1620;
-                            phi_842_ = _e1622;
-                            phi_845_ = _e1624;
-                            phi_847_ = _e1626;
-                            phi_849_ = _e1628;
-                            phi_851_ = _e1630;
-                            phi_3203_ = _e514;
+                            let _e1784 = phi_3801_;
+                            let _e1786 = phi_3420_;
+                            let _e1788 = phi_3421_;
+                            let _e1790 = phi_3422_;
+                            let _e1792 = phi_3423_;
+                            let _e1794 = phi_3424_;
+                            phi_3800_ = _e1784;
+                            phi_1064_ = _e1786;
+                            phi_1067_ = _e1788;
+                            phi_1069_ = _e1790;
+                            phi_1071_ = _e1792;
+                            phi_1073_ = _e1794;
+                            phi_3425_ = _e672;
                         } else {
-                            phi_3552_ = _e500;
-                            phi_842_ = type_44();
-                            phi_845_ = type_51();
-                            phi_847_ = u32();
-                            phi_849_ = bool();
-                            phi_851_ = u32();
-                            phi_3203_ = false;
+                            phi_3800_ = _e658;
+                            phi_1064_ = type_44();
+                            phi_1067_ = type_51();
+                            phi_1069_ = u32();
+                            phi_1071_ = bool();
+                            phi_1073_ = u32();
+                            phi_3425_ = false;
                         }
-                        let _e1632 = phi_3552_;
-                        let _e1634 = phi_842_;
-                        let _e1636 = phi_845_;
-                        let _e1638 = phi_847_;
-                        let _e1640 = phi_849_;
-                        let _e1642 = phi_851_;
-                        let _e1644 = phi_3203_;
+                        let _e1796 = phi_3800_;
+                        let _e1798 = phi_1064_;
+                        let _e1800 = phi_1067_;
+                        let _e1802 = phi_1069_;
+                        let _e1804 = phi_1071_;
+                        let _e1806 = phi_1073_;
+                        let _e1808 = phi_3425_;
                         continue;
                         continuing {
-                            phi_3415_ = _e1632;
-                            phi_841_ = _e1634;
-                            phi_844_ = _e1636;
-                            phi_846_ = _e1638;
-                            phi_848_ = _e1640;
-                            phi_850_ = _e1642;
-                            phi_3551_ = _e1632;
-                            break if !(_e1644);
+                            phi_3645_ = _e1796;
+                            phi_1063_ = _e1798;
+                            phi_1066_ = _e1800;
+                            phi_1068_ = _e1802;
+                            phi_1070_ = _e1804;
+                            phi_1072_ = _e1806;
+                            phi_3799_ = _e1796;
+                            break if !(_e1808);
                         }
                     }
-                    let _e1647 = phi_3551_;
-                    if _e1647 {
+                    let _e1811 = phi_3799_;
+                    if _e1811 {
                         break;
                     }
-                    let _e1649 = local_10;
-                    let _e1652 = local_11;
-                    if _e145 {
+                    let _e1813 = local_10;
+                    let _e1816 = local_11;
+                    if _e148 {
                     } else {
                         break;
                     }
-                    global_6.member[_e143][0u] = _e1649.member_1;
-                    global_6.member[_e143][1u] = _e1652.member_2;
+                    global_6.member[_e146][0u] = _e1813.member_1;
+                    global_6.member[_e146][1u] = _e1816.member_2;
                 }
             }
             break;

@@ -98,404 +98,464 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_382_: i32;
-    var phi_383_: i32;
-    var phi_393_: bool;
-    var phi_403_: u32;
-    var phi_404_: u32;
-    var phi_406_: bool;
-    var phi_411_: u32;
-    var phi_423_: i32;
-    var phi_443_: i32;
-    var phi_461_: f32;
-    var phi_467_: f32;
-    var phi_478_: f32;
-    var phi_484_: f32;
-    var phi_507_: f32;
-    var phi_518_: f32;
-    var phi_527_: f32;
-    var phi_533_: f32;
-    var phi_544_: f32;
-    var phi_550_: f32;
-    var phi_573_: f32;
-    var phi_584_: f32;
+    var phi_384_: i32;
+    var phi_385_: i32;
+    var phi_395_: bool;
+    var phi_405_: u32;
+    var phi_406_: u32;
+    var phi_408_: bool;
+    var phi_413_: u32;
+    var phi_425_: i32;
+    var phi_445_: i32;
+    var phi_463_: f32;
+    var phi_469_: f32;
+    var phi_509_: f32;
+    var phi_515_: f32;
+    var phi_567_: f32;
+    var phi_578_: f32;
+    var phi_587_: f32;
     var phi_593_: f32;
-    var phi_599_: f32;
-    var phi_610_: f32;
-    var phi_616_: f32;
+    var phi_633_: f32;
     var phi_639_: f32;
-    var phi_650_: f32;
-    var phi_750_: f32;
-    var phi_751_: f32;
-    var phi_3415_: bool;
-    var phi_841_: type_40;
-    var phi_844_: type_51;
-    var phi_846_: u32;
-    var phi_848_: bool;
-    var phi_850_: u32;
-    var phi_861_: bool;
-    var phi_947_: type_51;
-    var phi_948_: bool;
-    var phi_949_: u32;
-    var phi_2706_: u32;
-    var phi_2707_: u32;
-    var phi_2717_: u32;
-    var phi_2719_: u32;
-    var phi_2720_: bool;
-    var phi_2740_: u32;
-    var phi_2741_: u32;
-    var phi_2745_: type_52;
-    var phi_3089_: type_51;
-    var phi_3166_: type_51;
-    var phi_3167_: type_51;
-    var phi_3168_: u32;
-    var phi_3170_: type_51;
-    var phi_3171_: u32;
-    var phi_3172_: bool;
-    var phi_3181_: type_51;
-    var phi_3186_: type_51;
-    var phi_3187_: bool;
-    var phi_967_: type_40;
-    var phi_970_: type_4;
-    var phi_971_: type_4;
-    var phi_993_: type_4;
-    var phi_1017_: u32;
-    var phi_1106_: array<array<f32, 3>, 3>;
-    var phi_1223_: bool;
-    var phi_1252_: bool;
-    var phi_1653_: f32;
-    var phi_1654_: f32;
-    var phi_1655_: f32;
-    var phi_1656_: f32;
-    var phi_1657_: vec3<f32>;
-    var phi_1658_: vec3<f32>;
-    var phi_1659_: vec3<f32>;
-    var phi_1660_: vec3<f32>;
-    var phi_1691_: bool;
-    var phi_1700_: vec3<f32>;
-    var phi_1865_: f32;
-    var phi_1867_: f32;
-    var phi_1868_: bool;
-    var phi_1888_: f32;
-    var phi_1889_: f32;
-    var phi_1912_: type_25;
-    var phi_1914_: type_25;
-    var phi_1915_: bool;
-    var phi_1919_: type_25;
-    var phi_1920_: type_25;
-    var phi_1921_: type_25;
-    var phi_1922_: bool;
-    var phi_1926_: type_25;
-    var phi_1927_: bool;
-    var phi_1928_: type_25;
-    var phi_1929_: bool;
-    var phi_1930_: bool;
-    var phi_1931_: type_25;
-    var phi_1932_: bool;
-    var phi_1933_: bool;
-    var phi_1941_: type_25;
-    var phi_1942_: bool;
-    var phi_1946_: type_25;
-    var phi_1971_: bool;
-    var phi_1972_: bool;
-    var phi_1979_: type_40;
-    var phi_1980_: type_40;
-    var phi_1981_: type_40;
-    var phi_968_: type_40;
+    var phi_691_: f32;
+    var phi_702_: f32;
+    var phi_711_: f32;
+    var phi_717_: f32;
+    var phi_757_: f32;
+    var phi_763_: f32;
+    var phi_815_: f32;
+    var phi_826_: f32;
+    var phi_881_: i32;
+    var phi_903_: u32;
+    var phi_904_: u32;
+    var phi_941_: i32;
+    var phi_963_: u32;
+    var phi_964_: u32;
+    var phi_972_: f32;
+    var phi_973_: f32;
+    var phi_3645_: bool;
+    var phi_1063_: type_40;
+    var phi_1066_: type_51;
+    var phi_1068_: u32;
+    var phi_1070_: bool;
+    var phi_1072_: u32;
+    var phi_1083_: bool;
+    var phi_1169_: type_51;
+    var phi_1170_: bool;
+    var phi_1171_: u32;
+    var phi_2928_: u32;
+    var phi_2929_: u32;
+    var phi_2939_: u32;
+    var phi_2941_: u32;
+    var phi_2942_: bool;
+    var phi_2962_: u32;
+    var phi_2963_: u32;
+    var phi_2967_: type_52;
+    var phi_3311_: type_51;
+    var phi_3388_: type_51;
+    var phi_3389_: type_51;
+    var phi_3390_: u32;
+    var phi_3392_: type_51;
+    var phi_3393_: u32;
+    var phi_3394_: bool;
+    var phi_3403_: type_51;
+    var phi_3408_: type_51;
     var phi_3409_: bool;
-    var phi_3555_: bool;
-    var phi_3189_: type_40;
-    var phi_3190_: type_51;
-    var phi_3191_: bool;
-    var phi_3192_: u32;
-    var phi_3554_: bool;
-    var phi_3193_: type_40;
-    var phi_3194_: type_51;
-    var phi_3195_: u32;
-    var phi_3196_: bool;
-    var phi_3197_: u32;
-    var phi_3553_: bool;
-    var phi_3198_: type_40;
-    var phi_3199_: type_51;
-    var phi_3200_: u32;
-    var phi_3201_: bool;
-    var phi_3202_: u32;
-    var phi_3552_: bool;
-    var phi_842_: type_40;
-    var phi_845_: type_51;
-    var phi_847_: u32;
-    var phi_849_: bool;
-    var phi_851_: u32;
-    var phi_3203_: bool;
-    var phi_3551_: bool;
+    var phi_1189_: type_40;
+    var phi_1192_: type_4;
+    var phi_1193_: type_4;
+    var phi_1215_: type_4;
+    var phi_1239_: u32;
+    var phi_1328_: array<array<f32, 3>, 3>;
+    var phi_1445_: bool;
+    var phi_1474_: bool;
+    var phi_1875_: f32;
+    var phi_1876_: f32;
+    var phi_1877_: f32;
+    var phi_1878_: f32;
+    var phi_1879_: vec3<f32>;
+    var phi_1880_: vec3<f32>;
+    var phi_1881_: vec3<f32>;
+    var phi_1882_: vec3<f32>;
+    var phi_1913_: bool;
+    var phi_1922_: vec3<f32>;
+    var phi_2087_: f32;
+    var phi_2089_: f32;
+    var phi_2090_: bool;
+    var phi_2110_: f32;
+    var phi_2111_: f32;
+    var phi_2134_: type_25;
+    var phi_2136_: type_25;
+    var phi_2137_: bool;
+    var phi_2141_: type_25;
+    var phi_2142_: type_25;
+    var phi_2143_: type_25;
+    var phi_2144_: bool;
+    var phi_2148_: type_25;
+    var phi_2149_: bool;
+    var phi_2150_: type_25;
+    var phi_2151_: bool;
+    var phi_2152_: bool;
+    var phi_2153_: type_25;
+    var phi_2154_: bool;
+    var phi_2155_: bool;
+    var phi_2163_: type_25;
+    var phi_2164_: bool;
+    var phi_2168_: type_25;
+    var phi_2193_: bool;
+    var phi_2194_: bool;
+    var phi_2201_: type_40;
+    var phi_2202_: type_40;
+    var phi_2203_: type_40;
+    var phi_1190_: type_40;
+    var phi_3639_: bool;
+    var phi_3803_: bool;
+    var phi_3411_: type_40;
+    var phi_3412_: type_51;
+    var phi_3413_: bool;
+    var phi_3414_: u32;
+    var phi_3802_: bool;
+    var phi_3415_: type_40;
+    var phi_3416_: type_51;
+    var phi_3417_: u32;
+    var phi_3418_: bool;
+    var phi_3419_: u32;
+    var phi_3801_: bool;
+    var phi_3420_: type_40;
+    var phi_3421_: type_51;
+    var phi_3422_: u32;
+    var phi_3423_: bool;
+    var phi_3424_: u32;
+    var phi_3800_: bool;
+    var phi_1064_: type_40;
+    var phi_1067_: type_51;
+    var phi_1069_: u32;
+    var phi_1071_: bool;
+    var phi_1073_: u32;
+    var phi_3425_: bool;
+    var phi_3799_: bool;
     var local_10: type_40;
     var local_11: type_40;
     var local_12: type_40;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e83 = global;
-            let _e85 = arrayLength((&global_5.member));
-            let _e87 = arrayLength((&global_2.member));
-            let _e95 = global_3.member[0u][0u];
-            let _e99 = global_3.member[0u][1u];
-            let _e103 = global_3.member[0u][2u];
-            let _e107 = global_3.member[0u][3u];
-            let _e111 = global_3.member[1u][0u];
-            let _e115 = global_3.member[1u][1u];
-            let _e119 = global_3.member[1u][2u];
-            let _e122 = global_1.member[0u];
-            let _e123 = bitcast<i32>(_e122);
-            let _e135 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e107) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e95), bitcast<i32>(_e99), bitcast<i32>(_e103));
-            local = array<i32, 3>(bitcast<i32>(_e111), bitcast<i32>(_e115), bitcast<i32>(_e119));
-            let _e141 = (_e83.x + (_e83.y * 2097152u));
-            let _e142 = (_e141 < arrayLength((&global_4.member)));
-            if _e142 {
-                let _e143 = (_e141 < arrayLength((&global_6.member)));
-                if _e143 {
-                    if _e142 {
+            let _e86 = global;
+            let _e88 = arrayLength((&global_5.member));
+            let _e90 = arrayLength((&global_2.member));
+            let _e98 = global_3.member[0u][0u];
+            let _e102 = global_3.member[0u][1u];
+            let _e106 = global_3.member[0u][2u];
+            let _e110 = global_3.member[0u][3u];
+            let _e114 = global_3.member[1u][0u];
+            let _e118 = global_3.member[1u][1u];
+            let _e122 = global_3.member[1u][2u];
+            let _e125 = global_1.member[0u];
+            let _e126 = bitcast<i32>(_e125);
+            let _e138 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e110) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e98), bitcast<i32>(_e102), bitcast<i32>(_e106));
+            local = array<i32, 3>(bitcast<i32>(_e114), bitcast<i32>(_e118), bitcast<i32>(_e122));
+            let _e144 = (_e86.x + (_e86.y * 2097152u));
+            let _e145 = (_e144 < arrayLength((&global_4.member)));
+            if _e145 {
+                let _e146 = (_e144 < arrayLength((&global_6.member)));
+                if _e146 {
+                    if _e145 {
                     } else {
                         break;
                     }
-                    let _e151 = global_4.member[_e141].member_2[0u];
-                    let _e153 = (bitcast<u32>(_e151) & 2147483647u);
-                    let _e158 = global_4.member[_e141].member_2[1u];
-                    let _e160 = (bitcast<u32>(_e158) & 2147483647u);
-                    let _e165 = global_4.member[_e141].member_2[2u];
-                    let _e167 = (bitcast<u32>(_e165) & 2147483647u);
-                    let _e172 = global_4.member[_e141].member[0u];
-                    let _e174 = (bitcast<u32>(_e172) & 2147483647u);
-                    let _e179 = global_4.member[_e141].member[1u];
-                    let _e181 = (bitcast<u32>(_e179) & 2147483647u);
-                    let _e186 = global_4.member[_e141].member[2u];
-                    let _e188 = (bitcast<u32>(_e186) & 2147483647u);
-                    let _e190 = select(_e160, _e153, (_e160 < _e153));
-                    let _e192 = select(_e167, _e190, (_e167 < _e190));
-                    let _e194 = select(_e174, _e192, (_e174 < _e192));
-                    let _e196 = select(_e181, _e194, (_e181 < _e194));
-                    let _e198 = select(_e188, _e196, (_e188 < _e196));
-                    let _e202 = global_4.member[_e141].member_1;
-                    let _e204 = (bitcast<u32>(_e202) & 2147483647u);
-                    let _e211 = global_4.member[_e141].member_3;
-                    let _e217 = (((select(_e204, _e198, (_e204 < _e198)) < 2139095040u) && ((bitcast<u32>(_e211) & 2147483647u) <= 2139095040u)) && (_e192 > 0u));
-                    if _e217 {
-                        let _e220 = (bitcast<u32>(bitcast<f32>(_e192)) & 2147483647u);
-                        if (_e220 >= 8388608u) {
-                            phi_382_ = (bitcast<i32>((_e220 >> bitcast<u32>(23i))) - 127i);
+                    let _e154 = global_4.member[_e144].member_2[0u];
+                    let _e156 = (bitcast<u32>(_e154) & 2147483647u);
+                    let _e161 = global_4.member[_e144].member_2[1u];
+                    let _e163 = (bitcast<u32>(_e161) & 2147483647u);
+                    let _e168 = global_4.member[_e144].member_2[2u];
+                    let _e170 = (bitcast<u32>(_e168) & 2147483647u);
+                    let _e175 = global_4.member[_e144].member[0u];
+                    let _e177 = (bitcast<u32>(_e175) & 2147483647u);
+                    let _e182 = global_4.member[_e144].member[1u];
+                    let _e184 = (bitcast<u32>(_e182) & 2147483647u);
+                    let _e189 = global_4.member[_e144].member[2u];
+                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
+                    let _e193 = select(_e163, _e156, (_e163 < _e156));
+                    let _e195 = select(_e170, _e193, (_e170 < _e193));
+                    let _e197 = select(_e177, _e195, (_e177 < _e195));
+                    let _e199 = select(_e184, _e197, (_e184 < _e197));
+                    let _e201 = select(_e191, _e199, (_e191 < _e199));
+                    let _e205 = global_4.member[_e144].member_1;
+                    let _e206 = bitcast<u32>(_e205);
+                    let _e207 = (_e206 & 2147483647u);
+                    let _e214 = global_4.member[_e144].member_3;
+                    let _e215 = bitcast<u32>(_e214);
+                    let _e216 = (_e215 & 2147483647u);
+                    let _e220 = (((select(_e207, _e201, (_e207 < _e201)) < 2139095040u) && (_e216 <= 2139095040u)) && (_e195 > 0u));
+                    if _e220 {
+                        let _e223 = (bitcast<u32>(bitcast<f32>(_e195)) & 2147483647u);
+                        if (_e223 >= 8388608u) {
+                            phi_384_ = (bitcast<i32>((_e223 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_382_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u))));
+                            phi_384_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e223)), 32u, (_e223 == 0u))));
                         }
-                        let _e234 = phi_382_;
-                        phi_383_ = _e234;
+                        let _e237 = phi_384_;
+                        phi_385_ = _e237;
                     } else {
-                        phi_383_ = 0i;
+                        phi_385_ = 0i;
                     }
-                    let _e236 = phi_383_;
-                    let _e237 = (_e153 == _e192);
-                    if _e237 {
-                        phi_393_ = true;
-                    } else {
-                        phi_393_ = (_e160 == _e192);
-                    }
-                    let _e240 = phi_393_;
-                    let _e241 = select(1u, 0u, _e237);
+                    let _e239 = phi_385_;
+                    let _e240 = (_e156 == _e195);
                     if _e240 {
-                        let _e242 = (_e241 + 1u);
-                        phi_403_ = _e242;
-                        phi_404_ = _e242;
-                        phi_406_ = select(true, false, (_e242 == 2u));
+                        phi_395_ = true;
                     } else {
-                        phi_403_ = u32();
-                        phi_404_ = 0u;
-                        phi_406_ = true;
+                        phi_395_ = (_e163 == _e195);
                     }
-                    let _e246 = phi_403_;
-                    let _e248 = phi_404_;
-                    let _e250 = phi_406_;
-                    if _e250 {
-                        phi_411_ = (_e248 + 1u);
+                    let _e243 = phi_395_;
+                    let _e244 = select(1u, 0u, _e240);
+                    if _e243 {
+                        let _e245 = (_e244 + 1u);
+                        phi_405_ = _e245;
+                        phi_406_ = _e245;
+                        phi_408_ = select(true, false, (_e245 == 2u));
                     } else {
-                        phi_411_ = 0u;
+                        phi_405_ = u32();
+                        phi_406_ = 0u;
+                        phi_408_ = true;
                     }
-                    let _e254 = phi_411_;
-                    let _e255 = select(_e246, _e248, _e250);
-                    let _e256 = select(_e241, select(2u, _e241, _e240), _e250);
-                    if (_e123 < -126i) {
-                        phi_423_ = -126i;
+                    let _e249 = phi_405_;
+                    let _e251 = phi_406_;
+                    let _e253 = phi_408_;
+                    if _e253 {
+                        phi_413_ = (_e251 + 1u);
                     } else {
-                        phi_423_ = select(_e123, 127i, (_e123 > 127i));
+                        phi_413_ = 0u;
                     }
-                    let _e261 = phi_423_;
-                    let _e266 = bitcast<f32>((bitcast<u32>((_e261 + 127i)) << bitcast<u32>(23i)));
-                    let _e272 = bitcast<f32>((bitcast<u32>(((_e123 - _e261) + 127i)) << bitcast<u32>(23i)));
-                    let _e273 = -(_e236);
-                    if (_e273 < -126i) {
-                        phi_443_ = -126i;
+                    let _e257 = phi_413_;
+                    let _e258 = select(_e249, _e251, _e253);
+                    let _e259 = select(_e244, select(2u, _e244, _e243), _e253);
+                    if (_e126 < -126i) {
+                        phi_425_ = -126i;
                     } else {
-                        phi_443_ = select(_e273, 127i, (_e273 > 127i));
+                        phi_425_ = select(_e126, 127i, (_e126 > 127i));
                     }
-                    let _e278 = phi_443_;
-                    let _e283 = bitcast<f32>((bitcast<u32>((_e278 + 127i)) << bitcast<u32>(23i)));
-                    let _e289 = bitcast<f32>((bitcast<u32>(((_e273 - _e278) + 127i)) << bitcast<u32>(23i)));
-                    let _e293 = global_4.member[_e141].member;
-                    let _e294 = (_e255 == 0u);
-                    if _e294 {
-                        phi_461_ = _e293[0];
+                    let _e264 = phi_425_;
+                    let _e269 = bitcast<f32>((bitcast<u32>((_e264 + 127i)) << bitcast<u32>(23i)));
+                    let _e275 = bitcast<f32>((bitcast<u32>(((_e126 - _e264) + 127i)) << bitcast<u32>(23i)));
+                    let _e276 = -(_e239);
+                    if (_e276 < -126i) {
+                        phi_445_ = -126i;
                     } else {
-                        phi_461_ = _e293[1];
+                        phi_445_ = select(_e276, 127i, (_e276 > 127i));
                     }
-                    let _e298 = phi_461_;
-                    let _e299 = (_e255 == 2u);
-                    if _e299 {
-                        phi_467_ = _e293[2];
+                    let _e281 = phi_445_;
+                    let _e286 = bitcast<f32>((bitcast<u32>((_e281 + 127i)) << bitcast<u32>(23i)));
+                    let _e292 = bitcast<f32>((bitcast<u32>(((_e276 - _e281) + 127i)) << bitcast<u32>(23i)));
+                    let _e296 = global_4.member[_e144].member;
+                    let _e297 = (_e258 == 0u);
+                    if _e297 {
+                        phi_463_ = _e296[0];
                     } else {
-                        phi_467_ = _e298;
+                        phi_463_ = _e296[1];
                     }
-                    let _e302 = phi_467_;
-                    let _e304 = ((_e302 * _e266) * _e272);
-                    let _e305 = global_4.member[_e141].member_2;
-                    if _e294 {
-                        phi_478_ = _e305[0];
+                    let _e301 = phi_463_;
+                    let _e302 = (_e258 == 2u);
+                    if _e302 {
+                        phi_469_ = _e296[2];
                     } else {
-                        phi_478_ = _e305[1];
+                        phi_469_ = _e301;
                     }
-                    let _e309 = phi_478_;
-                    if _e299 {
-                        phi_484_ = _e305[2];
+                    let _e305 = phi_469_;
+                    let _e306 = bitcast<u32>(_e305);
+                    let _e308 = ((_e306 & 2139095040u) != 0u);
+                    let _e322 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e306 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e306 & 2147483648u))), _e305, _e308) * _e269) * select(0.00000011920929f, 1f, _e308)) * _e275);
+                    let _e323 = global_4.member[_e144].member_2;
+                    if _e297 {
+                        phi_509_ = _e323[0];
                     } else {
-                        phi_484_ = _e309;
+                        phi_509_ = _e323[1];
                     }
-                    let _e312 = phi_484_;
-                    let _e314 = ((_e312 * _e283) * _e289);
-                    let _e318 = (bitcast<f32>((bitcast<u32>(_e314) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e318 {
-                        let _e322 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
-                        phi_507_ = select(0.00000000000011368684f, _e322, (_e322 > 0.00000000000011368684f));
+                    let _e327 = phi_509_;
+                    if _e302 {
+                        phi_515_ = _e323[2];
                     } else {
-                        phi_507_ = 0f;
+                        phi_515_ = _e327;
                     }
-                    let _e326 = phi_507_;
-                    let _e327 = (_e304 + _e326);
-                    let _e328 = (_e304 - _e326);
-                    let _e329 = select(_e314, 0f, _e318);
-                    if _e318 {
-                        phi_518_ = 38685626000000000000000000f;
+                    let _e330 = phi_515_;
+                    let _e331 = bitcast<u32>(_e330);
+                    let _e333 = ((_e331 & 2139095040u) != 0u);
+                    let _e347 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e331 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e331 & 2147483648u))), _e330, _e333) * _e286) * select(0.00000011920929f, 1f, _e333)) * _e292);
+                    let _e351 = (bitcast<f32>((bitcast<u32>(_e347) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e351 {
+                        let _e355 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) * 0.00000011920929f);
+                        phi_567_ = select(0.00000000000011368684f, _e355, (_e355 > 0.00000000000011368684f));
                     } else {
-                        phi_518_ = (1f / _e314);
+                        phi_567_ = 0f;
                     }
-                    let _e332 = phi_518_;
-                    let _e333 = (_e254 == 0u);
-                    if _e333 {
-                        phi_527_ = _e293[0];
+                    let _e359 = phi_567_;
+                    let _e360 = (_e322 + _e359);
+                    let _e361 = (_e322 - _e359);
+                    let _e362 = select(_e347, 0f, _e351);
+                    if _e351 {
+                        phi_578_ = 38685626000000000000000000f;
                     } else {
-                        phi_527_ = _e293[1];
+                        phi_578_ = (1f / _e347);
                     }
-                    let _e337 = phi_527_;
-                    let _e338 = (_e254 == 2u);
-                    if _e338 {
-                        phi_533_ = _e293[2];
+                    let _e365 = phi_578_;
+                    let _e366 = (_e257 == 0u);
+                    if _e366 {
+                        phi_587_ = _e296[0];
                     } else {
-                        phi_533_ = _e337;
+                        phi_587_ = _e296[1];
                     }
-                    let _e341 = phi_533_;
-                    let _e343 = ((_e341 * _e266) * _e272);
-                    if _e333 {
-                        phi_544_ = _e305[0];
-                    } else {
-                        phi_544_ = _e305[1];
-                    }
-                    let _e347 = phi_544_;
-                    if _e338 {
-                        phi_550_ = _e305[2];
-                    } else {
-                        phi_550_ = _e347;
-                    }
-                    let _e350 = phi_550_;
-                    let _e352 = ((_e350 * _e283) * _e289);
-                    let _e356 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e356 {
-                        let _e360 = (bitcast<f32>((bitcast<u32>(_e343) & 2147483647u)) * 0.00000011920929f);
-                        phi_573_ = select(0.00000000000011368684f, _e360, (_e360 > 0.00000000000011368684f));
-                    } else {
-                        phi_573_ = 0f;
-                    }
-                    let _e364 = phi_573_;
-                    let _e365 = (_e343 + _e364);
-                    let _e366 = (_e343 - _e364);
-                    let _e367 = select(_e352, 0f, _e356);
-                    if _e356 {
-                        phi_584_ = 38685626000000000000000000f;
-                    } else {
-                        phi_584_ = (1f / _e352);
-                    }
-                    let _e370 = phi_584_;
-                    let _e371 = (_e256 == 0u);
+                    let _e370 = phi_587_;
+                    let _e371 = (_e257 == 2u);
                     if _e371 {
-                        phi_593_ = _e293[0];
+                        phi_593_ = _e296[2];
                     } else {
-                        phi_593_ = _e293[1];
+                        phi_593_ = _e370;
                     }
-                    let _e375 = phi_593_;
-                    let _e376 = (_e256 == 2u);
-                    if _e376 {
-                        phi_599_ = _e293[2];
+                    let _e374 = phi_593_;
+                    let _e375 = bitcast<u32>(_e374);
+                    let _e377 = ((_e375 & 2139095040u) != 0u);
+                    let _e391 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e375 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e375 & 2147483648u))), _e374, _e377) * _e269) * select(0.00000011920929f, 1f, _e377)) * _e275);
+                    if _e366 {
+                        phi_633_ = _e323[0];
                     } else {
-                        phi_599_ = _e375;
+                        phi_633_ = _e323[1];
                     }
-                    let _e379 = phi_599_;
-                    let _e381 = ((_e379 * _e266) * _e272);
+                    let _e395 = phi_633_;
                     if _e371 {
-                        phi_610_ = _e305[0];
+                        phi_639_ = _e323[2];
                     } else {
-                        phi_610_ = _e305[1];
+                        phi_639_ = _e395;
                     }
-                    let _e385 = phi_610_;
-                    if _e376 {
-                        phi_616_ = _e305[2];
+                    let _e398 = phi_639_;
+                    let _e399 = bitcast<u32>(_e398);
+                    let _e401 = ((_e399 & 2139095040u) != 0u);
+                    let _e415 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e399 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e399 & 2147483648u))), _e398, _e401) * _e286) * select(0.00000011920929f, 1f, _e401)) * _e292);
+                    let _e419 = (bitcast<f32>((bitcast<u32>(_e415) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e419 {
+                        let _e423 = (bitcast<f32>((bitcast<u32>(_e391) & 2147483647u)) * 0.00000011920929f);
+                        phi_691_ = select(0.00000000000011368684f, _e423, (_e423 > 0.00000000000011368684f));
                     } else {
-                        phi_616_ = _e385;
+                        phi_691_ = 0f;
                     }
-                    let _e388 = phi_616_;
-                    let _e390 = ((_e388 * _e283) * _e289);
-                    let _e394 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e394 {
-                        let _e398 = (bitcast<f32>((bitcast<u32>(_e381) & 2147483647u)) * 0.00000011920929f);
-                        phi_639_ = select(0.00000000000011368684f, _e398, (_e398 > 0.00000000000011368684f));
+                    let _e427 = phi_691_;
+                    let _e428 = (_e391 + _e427);
+                    let _e429 = (_e391 - _e427);
+                    let _e430 = select(_e415, 0f, _e419);
+                    if _e419 {
+                        phi_702_ = 38685626000000000000000000f;
                     } else {
-                        phi_639_ = 0f;
+                        phi_702_ = (1f / _e415);
                     }
-                    let _e402 = phi_639_;
-                    let _e403 = (_e381 + _e402);
-                    let _e404 = (_e381 - _e402);
-                    let _e405 = select(_e390, 0f, _e394);
-                    if _e394 {
-                        phi_650_ = 38685626000000000000000000f;
+                    let _e433 = phi_702_;
+                    let _e434 = (_e259 == 0u);
+                    if _e434 {
+                        phi_711_ = _e296[0];
                     } else {
-                        phi_650_ = (1f / _e390);
+                        phi_711_ = _e296[1];
                     }
-                    let _e408 = phi_650_;
-                    let _e411 = bitcast<f32>((bitcast<u32>(_e304) & 2147483647u));
-                    let _e414 = bitcast<f32>((bitcast<u32>(_e343) & 2147483647u));
-                    let _e416 = select(_e414, _e411, (_e411 > _e414));
-                    let _e419 = bitcast<f32>((bitcast<u32>(_e381) & 2147483647u));
-                    let _e422 = (_e123 + _e236);
-                    if (_e217 && (select(_e419, _e416, (_e416 > _e419)) <= 1099511600000f)) {
-                        let _e425 = (_e422 / 3i);
-                        let _e432 = bitcast<f32>((bitcast<u32>((_e425 + 127i)) << bitcast<u32>(23i)));
-                        let _e439 = bitcast<f32>((bitcast<u32>(((_e422 - (2i * _e425)) + 127i)) << bitcast<u32>(23i)));
-                        let _e440 = (((_e202 * _e432) * _e432) * _e439);
-                        let _e442 = select(340282350000000000000000000000000000000f, _e440, (_e440 < 340282350000000000000000000000000000000f));
-                        let _e447 = (((_e211 * _e432) * _e432) * _e439);
-                        let _e449 = select(340282350000000000000000000000000000000f, _e447, (_e447 < 340282350000000000000000000000000000000f));
-                        phi_750_ = select(-340282350000000000000000000000000000000f, _e449, (_e449 > -340282350000000000000000000000000000000f));
-                        phi_751_ = select(-340282350000000000000000000000000000000f, _e442, (_e442 > -340282350000000000000000000000000000000f));
+                    let _e438 = phi_711_;
+                    let _e439 = (_e259 == 2u);
+                    if _e439 {
+                        phi_717_ = _e296[2];
                     } else {
-                        phi_750_ = 0f;
-                        phi_751_ = 1f;
+                        phi_717_ = _e438;
                     }
-                    let _e453 = phi_750_;
-                    let _e455 = phi_751_;
+                    let _e442 = phi_717_;
+                    let _e443 = bitcast<u32>(_e442);
+                    let _e445 = ((_e443 & 2139095040u) != 0u);
+                    let _e459 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e443 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e443 & 2147483648u))), _e442, _e445) * _e269) * select(0.00000011920929f, 1f, _e445)) * _e275);
+                    if _e434 {
+                        phi_757_ = _e323[0];
+                    } else {
+                        phi_757_ = _e323[1];
+                    }
+                    let _e463 = phi_757_;
+                    if _e439 {
+                        phi_763_ = _e323[2];
+                    } else {
+                        phi_763_ = _e463;
+                    }
+                    let _e466 = phi_763_;
+                    let _e467 = bitcast<u32>(_e466);
+                    let _e469 = ((_e467 & 2139095040u) != 0u);
+                    let _e483 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e467 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e467 & 2147483648u))), _e466, _e469) * _e286) * select(0.00000011920929f, 1f, _e469)) * _e292);
+                    let _e487 = (bitcast<f32>((bitcast<u32>(_e483) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e487 {
+                        let _e491 = (bitcast<f32>((bitcast<u32>(_e459) & 2147483647u)) * 0.00000011920929f);
+                        phi_815_ = select(0.00000000000011368684f, _e491, (_e491 > 0.00000000000011368684f));
+                    } else {
+                        phi_815_ = 0f;
+                    }
+                    let _e495 = phi_815_;
+                    let _e496 = (_e459 + _e495);
+                    let _e497 = (_e459 - _e495);
+                    let _e498 = select(_e483, 0f, _e487);
+                    if _e487 {
+                        phi_826_ = 38685626000000000000000000f;
+                    } else {
+                        phi_826_ = (1f / _e483);
+                    }
+                    let _e501 = phi_826_;
+                    let _e504 = bitcast<f32>((bitcast<u32>(_e322) & 2147483647u));
+                    let _e507 = bitcast<f32>((bitcast<u32>(_e391) & 2147483647u));
+                    let _e509 = select(_e507, _e504, (_e504 > _e507));
+                    let _e512 = bitcast<f32>((bitcast<u32>(_e459) & 2147483647u));
+                    let _e515 = (_e126 + _e239);
+                    if (_e220 && (select(_e512, _e509, (_e509 > _e512)) <= 1099511600000f)) {
+                        let _e525 = ((_e207 & 8388607u) | (select(0u, 1u, ((_e207 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e528 = bitcast<i32>((_e207 >> bitcast<u32>(23i)));
+                        let _e532 = (_e525 == 0u);
+                        let _e535 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e525)), 32u, _e532)) - 8i);
+                        if (_e528 == 255i) {
+                            phi_881_ = 255i;
+                        } else {
+                            phi_881_ = (((_e528 + select(0i, 1i, (_e528 == 0i))) - _e535) + _e515);
+                        }
+                        let _e543 = phi_881_;
+                        let _e553 = (_e543 <= 0i);
+                        if _e553 {
+                            phi_904_ = u32();
+                        } else {
+                            if _e532 {
+                                phi_903_ = u32();
+                            } else {
+                                phi_903_ = select(((bitcast<u32>(_e543) << bitcast<u32>(23i)) | ((_e525 << bitcast<u32>(((_e535 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e543 >= 255i));
+                            }
+                            let _e557 = phi_903_;
+                            phi_904_ = _e557;
+                        }
+                        let _e559 = phi_904_;
+                        let _e571 = ((_e216 & 8388607u) | (select(0u, 1u, ((_e216 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e574 = bitcast<i32>((_e216 >> bitcast<u32>(23i)));
+                        let _e578 = (_e571 == 0u);
+                        let _e581 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e571)), 32u, _e578)) - 8i);
+                        if (_e574 == 255i) {
+                            phi_941_ = 255i;
+                        } else {
+                            phi_941_ = (((_e574 + select(0i, 1i, (_e574 == 0i))) - _e581) + _e515);
+                        }
+                        let _e589 = phi_941_;
+                        let _e599 = (_e589 <= 0i);
+                        if _e599 {
+                            phi_964_ = u32();
+                        } else {
+                            if _e578 {
+                                phi_963_ = u32();
+                            } else {
+                                phi_963_ = select(((bitcast<u32>(_e589) << bitcast<u32>(23i)) | ((_e571 << bitcast<u32>(((_e581 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e589 >= 255i));
+                            }
+                            let _e603 = phi_963_;
+                            phi_964_ = _e603;
+                        }
+                        let _e605 = phi_964_;
+                        phi_972_ = bitcast<f32>(((_e215 & 2147483648u) | select(_e605, 0u, select(_e578, true, _e599))));
+                        phi_973_ = bitcast<f32>(((_e206 & 2147483648u) | select(_e559, 0u, select(_e532, true, _e553))));
+                    } else {
+                        phi_972_ = 0f;
+                        phi_973_ = 1f;
+                    }
+                    let _e611 = phi_972_;
+                    let _e613 = phi_973_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -504,946 +564,946 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e460 = (_e255 % 3u);
-                    let _e461 = (_e460 < 3u);
-                    if _e461 {
+                    let _e618 = (_e258 % 3u);
+                    let _e619 = (_e618 < 3u);
+                    if _e619 {
                     } else {
                         break;
                     }
-                    let _e463 = local_1[_e460];
-                    let _e466 = (_e254 % 3u);
-                    let _e467 = (_e466 < 3u);
-                    if _e467 {
+                    let _e621 = local_1[_e618];
+                    let _e624 = (_e257 % 3u);
+                    let _e625 = (_e624 < 3u);
+                    if _e625 {
                     } else {
                         break;
                     }
-                    let _e469 = local_1[_e466];
-                    let _e472 = (_e256 % 3u);
-                    let _e473 = (_e472 < 3u);
-                    if _e473 {
+                    let _e627 = local_1[_e624];
+                    let _e630 = (_e259 % 3u);
+                    let _e631 = (_e630 < 3u);
+                    if _e631 {
                     } else {
                         break;
                     }
-                    let _e475 = local_1[_e472];
-                    if _e461 {
+                    let _e633 = local_1[_e630];
+                    if _e619 {
                     } else {
                         break;
                     }
-                    let _e480 = local[_e460];
-                    if _e467 {
+                    let _e638 = local[_e618];
+                    if _e625 {
                     } else {
                         break;
                     }
-                    let _e484 = local[_e466];
-                    if _e473 {
+                    let _e642 = local[_e624];
+                    if _e631 {
                     } else {
                         break;
                     }
-                    let _e488 = local[_e472];
-                    phi_3415_ = false;
-                    phi_841_ = type_40(type_33(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e453), 0u, 0u);
-                    phi_844_ = type_51(type_29(vec4<f32>((f32(_e463) * _e135), (f32(_e469) * _e135), (f32(_e475) * _e135), 0f), vec4<f32>((f32(_e480) * _e135), (f32(_e484) * _e135), (f32(_e488) * _e135), 0f)), select(0u, 2147483648u, (_e85 == 0u)));
-                    phi_846_ = ((3u * _e85) + 1u);
-                    phi_848_ = (_e455 <= _e453);
-                    phi_850_ = 0u;
+                    let _e646 = local[_e630];
+                    phi_3645_ = false;
+                    phi_1063_ = type_40(type_33(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e611), 0u, 0u);
+                    phi_1066_ = type_51(type_29(vec4<f32>((f32(_e621) * _e138), (f32(_e627) * _e138), (f32(_e633) * _e138), 0f), vec4<f32>((f32(_e638) * _e138), (f32(_e642) * _e138), (f32(_e646) * _e138), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
+                    phi_1068_ = ((3u * _e88) + 1u);
+                    phi_1070_ = (_e613 <= _e611);
+                    phi_1072_ = 0u;
                     loop {
-                        let _e498 = phi_3415_;
-                        let _e500 = phi_841_;
-                        let _e502 = phi_844_;
-                        let _e504 = phi_846_;
-                        let _e506 = phi_848_;
-                        let _e508 = phi_850_;
-                        local_10 = _e500;
-                        local_11 = _e500;
-                        if _e506 {
-                            phi_861_ = true;
+                        let _e656 = phi_3645_;
+                        let _e658 = phi_1063_;
+                        let _e660 = phi_1066_;
+                        let _e662 = phi_1068_;
+                        let _e664 = phi_1070_;
+                        let _e666 = phi_1072_;
+                        local_10 = _e658;
+                        local_11 = _e658;
+                        if _e664 {
+                            phi_1083_ = true;
                         } else {
-                            phi_861_ = (_e508 > 0u);
+                            phi_1083_ = (_e666 > 0u);
                         }
-                        let _e511 = phi_861_;
-                        if _e511 {
-                            let _e512 = (_e504 > 0u);
-                            if _e512 {
-                                if _e506 {
-                                    phi_947_ = _e502;
-                                    phi_948_ = _e506;
-                                    phi_949_ = _e508;
+                        let _e669 = phi_1083_;
+                        if _e669 {
+                            let _e670 = (_e662 > 0u);
+                            if _e670 {
+                                if _e664 {
+                                    phi_1169_ = _e660;
+                                    phi_1170_ = _e664;
+                                    phi_1171_ = _e666;
                                 } else {
-                                    let _e513 = (_e508 - 1u);
-                                    let _e514 = (_e513 % 128u);
-                                    let _e515 = (_e514 < 128u);
-                                    if _e515 {
+                                    let _e671 = (_e666 - 1u);
+                                    let _e672 = (_e671 % 128u);
+                                    let _e673 = (_e672 < 128u);
+                                    if _e673 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e517 = local_7[_e514];
-                                    if _e515 {
+                                    let _e675 = local_7[_e672];
+                                    if _e673 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e519 = local_6[_e514];
-                                    if _e515 {
+                                    let _e677 = local_6[_e672];
+                                    if _e673 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e521 = local_5[_e514];
-                                    if _e515 {
+                                    let _e679 = local_5[_e672];
+                                    if _e673 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e523 = local_4[_e514];
-                                    if _e515 {
+                                    let _e681 = local_4[_e672];
+                                    if _e673 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e525 = local_3[_e514];
-                                    if _e515 {
+                                    let _e683 = local_3[_e672];
+                                    if _e673 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e527 = local_2[_e514];
-                                    if _e515 {
+                                    let _e685 = local_2[_e672];
+                                    if _e673 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e532 = local_8[_e514];
-                                    if _e515 {
+                                    let _e690 = local_8[_e672];
+                                    if _e673 {
                                     } else {
-                                        phi_3551_ = true;
+                                        phi_3799_ = true;
                                         break;
                                     }
-                                    let _e535 = local_9[_e514];
-                                    phi_947_ = type_51(type_29(vec4<f32>(_e517, _e519, _e521, 0f), vec4<f32>(_e523, _e525, _e527, 0f)), _e532);
-                                    phi_948_ = (_e535 <= _e500.member.member_1);
-                                    phi_949_ = _e513;
+                                    let _e693 = local_9[_e672];
+                                    phi_1169_ = type_51(type_29(vec4<f32>(_e675, _e677, _e679, 0f), vec4<f32>(_e681, _e683, _e685, 0f)), _e690);
+                                    phi_1170_ = (_e693 <= _e658.member.member_1);
+                                    phi_1171_ = _e671;
                                 }
-                                let _e540 = phi_947_;
-                                let _e542 = phi_948_;
-                                let _e544 = phi_949_;
-                                if _e542 {
-                                    if ((_e540.member_1 & 2147483648u) != 0u) {
-                                        phi_967_ = _e500;
-                                        phi_970_ = type_4(0u, ((_e540.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e698 = phi_1169_;
+                                let _e700 = phi_1170_;
+                                let _e702 = phi_1171_;
+                                if _e700 {
+                                    if ((_e698.member_1 & 2147483648u) != 0u) {
+                                        phi_1189_ = _e658;
+                                        phi_1192_ = type_4(0u, ((_e698.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1013 = phi_967_;
-                                            let _e1015 = phi_970_;
-                                            local_12 = _e1013;
-                                            if (_e1015.member < _e1015.member_1) {
-                                                phi_971_ = type_4((_e1015.member + 1u), _e1015.member_1);
-                                                phi_993_ = type_4(1u, _e1015.member);
+                                            let _e1177 = phi_1189_;
+                                            let _e1179 = phi_1192_;
+                                            local_12 = _e1177;
+                                            if (_e1179.member < _e1179.member_1) {
+                                                phi_1193_ = type_4((_e1179.member + 1u), _e1179.member_1);
+                                                phi_1215_ = type_4(1u, _e1179.member);
                                             } else {
-                                                phi_971_ = _e1015;
-                                                phi_993_ = type_4(0u, type_4().member_1);
+                                                phi_1193_ = _e1179;
+                                                phi_1215_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1028 = phi_971_;
-                                            let _e1030 = phi_993_;
-                                            let _e1034 = (bitcast<i32>(_e1030.member) != 0i);
-                                            if _e1034 {
-                                                let _e1040 = type_40(_e1013.member, _e1013.member_1, (_e1013.member_2 + 1u));
-                                                let _e1041 = ((_e540.member_1 & 268435455u) + _e1030.member_1);
-                                                let _e1042 = (_e1041 < _e87);
-                                                if _e1042 {
-                                                    if _e1042 {
+                                            let _e1192 = phi_1193_;
+                                            let _e1194 = phi_1215_;
+                                            let _e1198 = (bitcast<i32>(_e1194.member) != 0i);
+                                            if _e1198 {
+                                                let _e1204 = type_40(_e1177.member, _e1177.member_1, (_e1177.member_2 + 1u));
+                                                let _e1205 = ((_e698.member_1 & 268435455u) + _e1194.member_1);
+                                                let _e1206 = (_e1205 < _e90);
+                                                if _e1206 {
+                                                    if _e1206 {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1046 = global_2.member[_e1041].member_1;
-                                                    phi_1017_ = _e1046;
+                                                    let _e1210 = global_2.member[_e1205].member_1;
+                                                    phi_1239_ = _e1210;
                                                 } else {
-                                                    phi_1017_ = 4294967295u;
+                                                    phi_1239_ = 4294967295u;
                                                 }
-                                                let _e1048 = phi_1017_;
-                                                if (_e1041 >= _e87) {
-                                                    phi_1106_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1212 = phi_1239_;
+                                                if (_e1205 >= _e90) {
+                                                    phi_1328_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1042 {
+                                                    if _e1206 {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    if (_e460 < 9u) {
+                                                    if (_e618 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1055 = global_2.member[_e1041].member[_e460];
-                                                    if (_e466 < 9u) {
+                                                    let _e1219 = global_2.member[_e1205].member[_e618];
+                                                    if (_e624 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1061 = global_2.member[_e1041].member[_e466];
-                                                    if (_e472 < 9u) {
+                                                    let _e1225 = global_2.member[_e1205].member[_e624];
+                                                    if (_e630 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1067 = global_2.member[_e1041].member[_e472];
-                                                    let _e1069 = (3u + _e460);
-                                                    if (_e1069 < 9u) {
+                                                    let _e1231 = global_2.member[_e1205].member[_e630];
+                                                    let _e1233 = (3u + _e618);
+                                                    if (_e1233 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1075 = global_2.member[_e1041].member[_e1069];
-                                                    let _e1076 = (3u + _e466);
-                                                    if (_e1076 < 9u) {
+                                                    let _e1239 = global_2.member[_e1205].member[_e1233];
+                                                    let _e1240 = (3u + _e624);
+                                                    if (_e1240 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1082 = global_2.member[_e1041].member[_e1076];
-                                                    let _e1083 = (3u + _e472);
-                                                    if (_e1083 < 9u) {
+                                                    let _e1246 = global_2.member[_e1205].member[_e1240];
+                                                    let _e1247 = (3u + _e630);
+                                                    if (_e1247 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1089 = global_2.member[_e1041].member[_e1083];
-                                                    let _e1091 = (6u + _e460);
-                                                    if (_e1091 < 9u) {
+                                                    let _e1253 = global_2.member[_e1205].member[_e1247];
+                                                    let _e1255 = (6u + _e618);
+                                                    if (_e1255 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1097 = global_2.member[_e1041].member[_e1091];
-                                                    let _e1098 = (6u + _e466);
-                                                    if (_e1098 < 9u) {
+                                                    let _e1261 = global_2.member[_e1205].member[_e1255];
+                                                    let _e1262 = (6u + _e624);
+                                                    if (_e1262 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1104 = global_2.member[_e1041].member[_e1098];
-                                                    let _e1105 = (6u + _e472);
-                                                    if (_e1105 < 9u) {
+                                                    let _e1268 = global_2.member[_e1205].member[_e1262];
+                                                    let _e1269 = (6u + _e630);
+                                                    if (_e1269 < 9u) {
                                                     } else {
-                                                        phi_3409_ = true;
+                                                        phi_3639_ = true;
                                                         break;
                                                     }
-                                                    let _e1111 = global_2.member[_e1041].member[_e1105];
-                                                    phi_1106_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1055, _e1061, _e1067), array<f32, 3>(_e1075, _e1082, _e1089), array<f32, 3>(_e1097, _e1104, _e1111));
+                                                    let _e1275 = global_2.member[_e1205].member[_e1269];
+                                                    phi_1328_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1219, _e1225, _e1231), array<f32, 3>(_e1239, _e1246, _e1253), array<f32, 3>(_e1261, _e1268, _e1275));
                                                 }
-                                                let _e1115 = phi_1106_;
-                                                let _e1124 = (_e1115[0][2] - _e381);
-                                                let _e1127 = (((_e1115[0][0] - _e304) * _e405) - (_e1124 * _e329));
-                                                let _e1130 = (((_e1115[0][1] - _e343) * _e405) - (_e1124 * _e367));
-                                                let _e1137 = (_e1115[1][2] - _e381);
-                                                let _e1140 = (((_e1115[1][0] - _e304) * _e405) - (_e1137 * _e329));
-                                                let _e1143 = (((_e1115[1][1] - _e343) * _e405) - (_e1137 * _e367));
-                                                let _e1150 = (_e1115[2][2] - _e381);
-                                                let _e1153 = (((_e1115[2][0] - _e304) * _e405) - (_e1150 * _e329));
-                                                let _e1156 = (((_e1115[2][1] - _e343) * _e405) - (_e1150 * _e367));
-                                                let _e1157 = (_e1153 * _e1143);
-                                                let _e1158 = (_e1156 * _e1140);
-                                                let _e1159 = (_e1127 * _e1156);
-                                                let _e1160 = (_e1130 * _e1153);
-                                                let _e1161 = (_e1140 * _e1130);
-                                                let _e1162 = (_e1143 * _e1127);
-                                                let _e1167 = (((_e1157 >= _e1158) && (_e1159 >= _e1160)) && (_e1161 >= _e1162));
-                                                if (_e1167 || (((_e1157 <= _e1158) && (_e1159 <= _e1160)) && (_e1161 <= _e1162))) {
-                                                    let _e1174 = select(-1f, 1f, _e1167);
-                                                    let _e1176 = ((_e1157 - _e1158) * _e1174);
-                                                    let _e1178 = select(0f, _e1176, (_e1176 > 0f));
-                                                    let _e1180 = ((_e1159 - _e1160) * _e1174);
-                                                    let _e1182 = select(0f, _e1180, (_e1180 > 0f));
-                                                    let _e1184 = ((_e1161 - _e1162) * _e1174);
-                                                    let _e1186 = select(0f, _e1184, (_e1184 > 0f));
-                                                    let _e1188 = ((_e1178 + _e1182) + _e1186);
-                                                    if (_e1188 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1931_ = type_25();
-                                                        phi_1932_ = true;
-                                                        phi_1933_ = false;
+                                                let _e1279 = phi_1328_;
+                                                let _e1288 = (_e1279[0][2] - _e459);
+                                                let _e1291 = (((_e1279[0][0] - _e322) * _e498) - (_e1288 * _e362));
+                                                let _e1294 = (((_e1279[0][1] - _e391) * _e498) - (_e1288 * _e430));
+                                                let _e1301 = (_e1279[1][2] - _e459);
+                                                let _e1304 = (((_e1279[1][0] - _e322) * _e498) - (_e1301 * _e362));
+                                                let _e1307 = (((_e1279[1][1] - _e391) * _e498) - (_e1301 * _e430));
+                                                let _e1314 = (_e1279[2][2] - _e459);
+                                                let _e1317 = (((_e1279[2][0] - _e322) * _e498) - (_e1314 * _e362));
+                                                let _e1320 = (((_e1279[2][1] - _e391) * _e498) - (_e1314 * _e430));
+                                                let _e1321 = (_e1317 * _e1307);
+                                                let _e1322 = (_e1320 * _e1304);
+                                                let _e1323 = (_e1291 * _e1320);
+                                                let _e1324 = (_e1294 * _e1317);
+                                                let _e1325 = (_e1304 * _e1294);
+                                                let _e1326 = (_e1307 * _e1291);
+                                                let _e1331 = (((_e1321 >= _e1322) && (_e1323 >= _e1324)) && (_e1325 >= _e1326));
+                                                if (_e1331 || (((_e1321 <= _e1322) && (_e1323 <= _e1324)) && (_e1325 <= _e1326))) {
+                                                    let _e1338 = select(-1f, 1f, _e1331);
+                                                    let _e1340 = ((_e1321 - _e1322) * _e1338);
+                                                    let _e1342 = select(0f, _e1340, (_e1340 > 0f));
+                                                    let _e1344 = ((_e1323 - _e1324) * _e1338);
+                                                    let _e1346 = select(0f, _e1344, (_e1344 > 0f));
+                                                    let _e1348 = ((_e1325 - _e1326) * _e1338);
+                                                    let _e1350 = select(0f, _e1348, (_e1348 > 0f));
+                                                    let _e1352 = ((_e1342 + _e1346) + _e1350);
+                                                    if (_e1352 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2153_ = type_25();
+                                                        phi_2154_ = true;
+                                                        phi_2155_ = false;
                                                     } else {
-                                                        let _e1191 = select(_e1140, _e1127, (_e1127 < _e1140));
-                                                        if (select(_e1153, _e1191, (_e1191 < _e1153)) > 0f) {
-                                                            phi_1223_ = true;
+                                                        let _e1355 = select(_e1304, _e1291, (_e1291 < _e1304));
+                                                        if (select(_e1317, _e1355, (_e1355 < _e1317)) > 0f) {
+                                                            phi_1445_ = true;
                                                         } else {
-                                                            let _e1196 = select(_e1140, _e1127, (_e1127 > _e1140));
-                                                            phi_1223_ = (select(_e1153, _e1196, (_e1196 > _e1153)) < 0f);
+                                                            let _e1360 = select(_e1304, _e1291, (_e1291 > _e1304));
+                                                            phi_1445_ = (select(_e1317, _e1360, (_e1360 > _e1317)) < 0f);
                                                         }
-                                                        let _e1201 = phi_1223_;
-                                                        if _e1201 {
-                                                            phi_1928_ = type_25();
-                                                            phi_1929_ = true;
-                                                            phi_1930_ = false;
+                                                        let _e1365 = phi_1445_;
+                                                        if _e1365 {
+                                                            phi_2150_ = type_25();
+                                                            phi_2151_ = true;
+                                                            phi_2152_ = false;
                                                         } else {
-                                                            let _e1203 = select(_e1143, _e1130, (_e1130 < _e1143));
-                                                            if (select(_e1156, _e1203, (_e1203 < _e1156)) > 0f) {
-                                                                phi_1252_ = true;
+                                                            let _e1367 = select(_e1307, _e1294, (_e1294 < _e1307));
+                                                            if (select(_e1320, _e1367, (_e1367 < _e1320)) > 0f) {
+                                                                phi_1474_ = true;
                                                             } else {
-                                                                let _e1208 = select(_e1143, _e1130, (_e1130 > _e1143));
-                                                                phi_1252_ = (select(_e1156, _e1208, (_e1208 > _e1156)) < 0f);
+                                                                let _e1372 = select(_e1307, _e1294, (_e1294 > _e1307));
+                                                                phi_1474_ = (select(_e1320, _e1372, (_e1372 > _e1320)) < 0f);
                                                             }
-                                                            let _e1213 = phi_1252_;
-                                                            if _e1213 {
-                                                                phi_1926_ = type_25();
-                                                                phi_1927_ = false;
+                                                            let _e1377 = phi_1474_;
+                                                            if _e1377 {
+                                                                phi_2148_ = type_25();
+                                                                phi_2149_ = false;
                                                             } else {
-                                                                let _e1215 = select(_e1115[1][0], _e1115[0][0], (_e1115[0][0] < _e1115[1][0]));
-                                                                let _e1219 = select(_e1115[1][0], _e1115[0][0], (_e1115[0][0] > _e1115[1][0]));
-                                                                let _e1223 = select(_e1115[1][1], _e1115[0][1], (_e1115[0][1] < _e1115[1][1]));
-                                                                let _e1227 = select(_e1115[1][1], _e1115[0][1], (_e1115[0][1] > _e1115[1][1]));
-                                                                let _e1231 = select(_e1115[1][2], _e1115[0][2], (_e1115[0][2] < _e1115[1][2]));
-                                                                let _e1235 = select(_e1115[1][2], _e1115[0][2], (_e1115[0][2] > _e1115[1][2]));
-                                                                let _e1240 = ((select(_e1115[2][0], _e1215, (_e1215 < _e1115[2][0])) - _e327) * _e332);
-                                                                let _e1241 = ((select(_e1115[2][0], _e1219, (_e1219 > _e1115[2][0])) - _e328) * _e332);
-                                                                let _e1244 = ((select(_e1115[2][1], _e1223, (_e1223 < _e1115[2][1])) - _e365) * _e370);
-                                                                let _e1245 = ((select(_e1115[2][1], _e1227, (_e1227 > _e1115[2][1])) - _e366) * _e370);
-                                                                let _e1248 = ((select(_e1115[2][2], _e1231, (_e1231 < _e1115[2][2])) - _e403) * _e408);
-                                                                let _e1249 = ((select(_e1115[2][2], _e1235, (_e1235 > _e1115[2][2])) - _e404) * _e408);
-                                                                let _e1251 = select(_e1249, _e1248, (_e1248 < _e1249));
-                                                                let _e1253 = select(_e1249, _e1248, (_e1248 > _e1249));
-                                                                let _e1255 = select(_e1241, _e1240, (_e1240 < _e1241));
-                                                                let _e1257 = select(_e1245, _e1244, (_e1244 < _e1245));
-                                                                let _e1259 = select(_e1257, _e1255, (_e1255 > _e1257));
-                                                                let _e1261 = select(_e1251, _e1259, (_e1259 > _e1251));
-                                                                let _e1263 = select(_e1241, _e1240, (_e1240 > _e1241));
-                                                                let _e1265 = select(_e1245, _e1244, (_e1244 > _e1245));
-                                                                let _e1267 = select(_e1265, _e1263, (_e1263 < _e1265));
-                                                                let _e1269 = select(_e1253, _e1267, (_e1267 < _e1253));
-                                                                let _e1270 = -(_e1251);
-                                                                let _e1276 = select(_e455, _e1261, (_e1261 > _e455));
-                                                                if (_e1276 > (_e1269 + (select(_e1270, _e1253, (_e1253 > _e1270)) * 0.0000019073523f))) {
-                                                                    phi_1921_ = type_25();
-                                                                    phi_1922_ = true;
+                                                                let _e1379 = select(_e1279[1][0], _e1279[0][0], (_e1279[0][0] < _e1279[1][0]));
+                                                                let _e1383 = select(_e1279[1][0], _e1279[0][0], (_e1279[0][0] > _e1279[1][0]));
+                                                                let _e1387 = select(_e1279[1][1], _e1279[0][1], (_e1279[0][1] < _e1279[1][1]));
+                                                                let _e1391 = select(_e1279[1][1], _e1279[0][1], (_e1279[0][1] > _e1279[1][1]));
+                                                                let _e1395 = select(_e1279[1][2], _e1279[0][2], (_e1279[0][2] < _e1279[1][2]));
+                                                                let _e1399 = select(_e1279[1][2], _e1279[0][2], (_e1279[0][2] > _e1279[1][2]));
+                                                                let _e1404 = ((select(_e1279[2][0], _e1379, (_e1379 < _e1279[2][0])) - _e360) * _e365);
+                                                                let _e1405 = ((select(_e1279[2][0], _e1383, (_e1383 > _e1279[2][0])) - _e361) * _e365);
+                                                                let _e1408 = ((select(_e1279[2][1], _e1387, (_e1387 < _e1279[2][1])) - _e428) * _e433);
+                                                                let _e1409 = ((select(_e1279[2][1], _e1391, (_e1391 > _e1279[2][1])) - _e429) * _e433);
+                                                                let _e1412 = ((select(_e1279[2][2], _e1395, (_e1395 < _e1279[2][2])) - _e496) * _e501);
+                                                                let _e1413 = ((select(_e1279[2][2], _e1399, (_e1399 > _e1279[2][2])) - _e497) * _e501);
+                                                                let _e1415 = select(_e1413, _e1412, (_e1412 < _e1413));
+                                                                let _e1417 = select(_e1413, _e1412, (_e1412 > _e1413));
+                                                                let _e1419 = select(_e1405, _e1404, (_e1404 < _e1405));
+                                                                let _e1421 = select(_e1409, _e1408, (_e1408 < _e1409));
+                                                                let _e1423 = select(_e1421, _e1419, (_e1419 > _e1421));
+                                                                let _e1425 = select(_e1415, _e1423, (_e1423 > _e1415));
+                                                                let _e1427 = select(_e1405, _e1404, (_e1404 > _e1405));
+                                                                let _e1429 = select(_e1409, _e1408, (_e1408 > _e1409));
+                                                                let _e1431 = select(_e1429, _e1427, (_e1427 < _e1429));
+                                                                let _e1433 = select(_e1417, _e1431, (_e1431 < _e1417));
+                                                                let _e1434 = -(_e1415);
+                                                                let _e1440 = select(_e613, _e1425, (_e1425 > _e613));
+                                                                if (_e1440 > (_e1433 + (select(_e1434, _e1417, (_e1417 > _e1434)) * 0.0000019073523f))) {
+                                                                    phi_2143_ = type_25();
+                                                                    phi_2144_ = true;
                                                                 } else {
-                                                                    let _e1278 = (_e1276 > _e1013.member.member_1);
-                                                                    if _e1278 {
-                                                                        phi_1920_ = type_25();
+                                                                    let _e1442 = (_e1440 > _e1177.member.member_1);
+                                                                    if _e1442 {
+                                                                        phi_2142_ = type_25();
                                                                     } else {
-                                                                        let _e1279 = vec3<f32>(_e1115[0][0], _e1115[0][1], _e1115[0][2]);
-                                                                        let _e1280 = vec3<f32>(_e1115[1][0], _e1115[1][1], _e1115[1][2]);
-                                                                        let _e1281 = vec3<f32>(_e1115[2][0], _e1115[2][1], _e1115[2][2]);
-                                                                        let _e1282 = (_e1115[1][0] - _e1115[0][0]);
-                                                                        let _e1283 = (_e1115[1][1] - _e1115[0][1]);
-                                                                        let _e1284 = (_e1115[1][2] - _e1115[0][2]);
-                                                                        let _e1285 = vec3<f32>(_e1282, _e1283, _e1284);
-                                                                        let _e1286 = (_e1115[2][0] - _e1115[1][0]);
-                                                                        let _e1287 = (_e1115[2][1] - _e1115[1][1]);
-                                                                        let _e1288 = (_e1115[2][2] - _e1115[1][2]);
-                                                                        let _e1289 = vec3<f32>(_e1286, _e1287, _e1288);
-                                                                        let _e1290 = (_e1115[0][0] - _e1115[2][0]);
-                                                                        let _e1291 = (_e1115[0][1] - _e1115[2][1]);
-                                                                        let _e1292 = (_e1115[0][2] - _e1115[2][2]);
-                                                                        let _e1293 = vec3<f32>(_e1290, _e1291, _e1292);
-                                                                        let _e1296 = bitcast<f32>((bitcast<u32>(_e1282) & 2147483647u));
-                                                                        let _e1299 = bitcast<f32>((bitcast<u32>(_e1283) & 2147483647u));
-                                                                        let _e1301 = select(_e1299, _e1296, (_e1296 > _e1299));
-                                                                        let _e1304 = bitcast<f32>((bitcast<u32>(_e1284) & 2147483647u));
-                                                                        let _e1306 = select(_e1304, _e1301, (_e1301 > _e1304));
-                                                                        let _e1309 = bitcast<f32>((bitcast<u32>(_e1286) & 2147483647u));
-                                                                        let _e1312 = bitcast<f32>((bitcast<u32>(_e1287) & 2147483647u));
-                                                                        let _e1314 = select(_e1312, _e1309, (_e1309 > _e1312));
-                                                                        let _e1317 = bitcast<f32>((bitcast<u32>(_e1288) & 2147483647u));
-                                                                        let _e1319 = select(_e1317, _e1314, (_e1314 > _e1317));
-                                                                        let _e1322 = bitcast<f32>((bitcast<u32>(_e1290) & 2147483647u));
-                                                                        let _e1325 = bitcast<f32>((bitcast<u32>(_e1291) & 2147483647u));
-                                                                        let _e1327 = select(_e1325, _e1322, (_e1322 > _e1325));
-                                                                        let _e1330 = bitcast<f32>((bitcast<u32>(_e1292) & 2147483647u));
-                                                                        let _e1332 = select(_e1330, _e1327, (_e1327 > _e1330));
-                                                                        let _e1334 = select(_e1319, _e1306, (_e1306 > _e1319));
-                                                                        let _e1336 = select(_e1332, _e1334, (_e1334 > _e1332));
-                                                                        if (_e1306 == _e1336) {
-                                                                            phi_1653_ = _e1143;
-                                                                            phi_1654_ = _e1140;
-                                                                            phi_1655_ = _e1130;
-                                                                            phi_1656_ = _e1127;
-                                                                            phi_1657_ = _e1279;
-                                                                            phi_1658_ = _e1293;
-                                                                            phi_1659_ = _e1289;
-                                                                            phi_1660_ = _e1285;
+                                                                        let _e1443 = vec3<f32>(_e1279[0][0], _e1279[0][1], _e1279[0][2]);
+                                                                        let _e1444 = vec3<f32>(_e1279[1][0], _e1279[1][1], _e1279[1][2]);
+                                                                        let _e1445 = vec3<f32>(_e1279[2][0], _e1279[2][1], _e1279[2][2]);
+                                                                        let _e1446 = (_e1279[1][0] - _e1279[0][0]);
+                                                                        let _e1447 = (_e1279[1][1] - _e1279[0][1]);
+                                                                        let _e1448 = (_e1279[1][2] - _e1279[0][2]);
+                                                                        let _e1449 = vec3<f32>(_e1446, _e1447, _e1448);
+                                                                        let _e1450 = (_e1279[2][0] - _e1279[1][0]);
+                                                                        let _e1451 = (_e1279[2][1] - _e1279[1][1]);
+                                                                        let _e1452 = (_e1279[2][2] - _e1279[1][2]);
+                                                                        let _e1453 = vec3<f32>(_e1450, _e1451, _e1452);
+                                                                        let _e1454 = (_e1279[0][0] - _e1279[2][0]);
+                                                                        let _e1455 = (_e1279[0][1] - _e1279[2][1]);
+                                                                        let _e1456 = (_e1279[0][2] - _e1279[2][2]);
+                                                                        let _e1457 = vec3<f32>(_e1454, _e1455, _e1456);
+                                                                        let _e1460 = bitcast<f32>((bitcast<u32>(_e1446) & 2147483647u));
+                                                                        let _e1463 = bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u));
+                                                                        let _e1465 = select(_e1463, _e1460, (_e1460 > _e1463));
+                                                                        let _e1468 = bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u));
+                                                                        let _e1470 = select(_e1468, _e1465, (_e1465 > _e1468));
+                                                                        let _e1473 = bitcast<f32>((bitcast<u32>(_e1450) & 2147483647u));
+                                                                        let _e1476 = bitcast<f32>((bitcast<u32>(_e1451) & 2147483647u));
+                                                                        let _e1478 = select(_e1476, _e1473, (_e1473 > _e1476));
+                                                                        let _e1481 = bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u));
+                                                                        let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
+                                                                        let _e1486 = bitcast<f32>((bitcast<u32>(_e1454) & 2147483647u));
+                                                                        let _e1489 = bitcast<f32>((bitcast<u32>(_e1455) & 2147483647u));
+                                                                        let _e1491 = select(_e1489, _e1486, (_e1486 > _e1489));
+                                                                        let _e1494 = bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u));
+                                                                        let _e1496 = select(_e1494, _e1491, (_e1491 > _e1494));
+                                                                        let _e1498 = select(_e1483, _e1470, (_e1470 > _e1483));
+                                                                        let _e1500 = select(_e1496, _e1498, (_e1498 > _e1496));
+                                                                        if (_e1470 == _e1500) {
+                                                                            phi_1875_ = _e1307;
+                                                                            phi_1876_ = _e1304;
+                                                                            phi_1877_ = _e1294;
+                                                                            phi_1878_ = _e1291;
+                                                                            phi_1879_ = _e1443;
+                                                                            phi_1880_ = _e1457;
+                                                                            phi_1881_ = _e1453;
+                                                                            phi_1882_ = _e1449;
                                                                         } else {
-                                                                            let _e1338 = (_e1319 == _e1336);
-                                                                            let _e1343 = vec3(_e1338);
-                                                                            phi_1653_ = select(_e1130, _e1156, _e1338);
-                                                                            phi_1654_ = select(_e1127, _e1153, _e1338);
-                                                                            phi_1655_ = select(_e1156, _e1143, _e1338);
-                                                                            phi_1656_ = select(_e1153, _e1140, _e1338);
-                                                                            phi_1657_ = select(_e1281, _e1280, _e1343);
-                                                                            phi_1658_ = select(_e1289, _e1285, _e1343);
-                                                                            phi_1659_ = select(_e1285, _e1293, _e1343);
-                                                                            phi_1660_ = select(_e1293, _e1289, _e1343);
+                                                                            let _e1502 = (_e1483 == _e1500);
+                                                                            let _e1507 = vec3(_e1502);
+                                                                            phi_1875_ = select(_e1294, _e1320, _e1502);
+                                                                            phi_1876_ = select(_e1291, _e1317, _e1502);
+                                                                            phi_1877_ = select(_e1320, _e1307, _e1502);
+                                                                            phi_1878_ = select(_e1317, _e1304, _e1502);
+                                                                            phi_1879_ = select(_e1445, _e1444, _e1507);
+                                                                            phi_1880_ = select(_e1453, _e1449, _e1507);
+                                                                            phi_1881_ = select(_e1449, _e1457, _e1507);
+                                                                            phi_1882_ = select(_e1457, _e1453, _e1507);
                                                                         }
-                                                                        let _e1349 = phi_1653_;
-                                                                        let _e1351 = phi_1654_;
-                                                                        let _e1353 = phi_1655_;
-                                                                        let _e1355 = phi_1656_;
-                                                                        let _e1357 = phi_1657_;
-                                                                        let _e1359 = phi_1658_;
-                                                                        let _e1361 = phi_1659_;
-                                                                        let _e1363 = phi_1660_;
-                                                                        let _e1370 = ((_e1361.y * _e1359.z) - (_e1359.y * _e1361.z));
-                                                                        let _e1375 = ((_e1361.z * _e1359.x) - (_e1359.z * _e1361.x));
-                                                                        let _e1378 = ((_e1361.x * _e1359.y) - (_e1359.x * _e1361.y));
-                                                                        if (_e1178 >= _e1182) {
-                                                                            phi_1691_ = select(true, false, (_e1178 >= _e1186));
+                                                                        let _e1513 = phi_1875_;
+                                                                        let _e1515 = phi_1876_;
+                                                                        let _e1517 = phi_1877_;
+                                                                        let _e1519 = phi_1878_;
+                                                                        let _e1521 = phi_1879_;
+                                                                        let _e1523 = phi_1880_;
+                                                                        let _e1525 = phi_1881_;
+                                                                        let _e1527 = phi_1882_;
+                                                                        let _e1534 = ((_e1525.y * _e1523.z) - (_e1523.y * _e1525.z));
+                                                                        let _e1539 = ((_e1525.z * _e1523.x) - (_e1523.z * _e1525.x));
+                                                                        let _e1542 = ((_e1525.x * _e1523.y) - (_e1523.x * _e1525.y));
+                                                                        if (_e1342 >= _e1346) {
+                                                                            phi_1913_ = select(true, false, (_e1342 >= _e1350));
                                                                         } else {
-                                                                            phi_1691_ = true;
+                                                                            phi_1913_ = true;
                                                                         }
-                                                                        let _e1383 = phi_1691_;
-                                                                        if _e1383 {
-                                                                            phi_1700_ = select(_e1281, _e1280, vec3((_e1182 >= _e1186)));
+                                                                        let _e1547 = phi_1913_;
+                                                                        if _e1547 {
+                                                                            phi_1922_ = select(_e1445, _e1444, vec3((_e1346 >= _e1350)));
                                                                         } else {
-                                                                            phi_1700_ = _e1279;
+                                                                            phi_1922_ = _e1443;
                                                                         }
-                                                                        let _e1388 = phi_1700_;
-                                                                        let _e1399 = (((_e1370 * (_e1388.x - _e304)) + (_e1375 * (_e1388.y - _e343))) + (_e1378 * (_e1388.z - _e381)));
-                                                                        let _e1404 = (((_e1370 * _e329) + (_e1375 * _e367)) + (_e1378 * _e405));
-                                                                        let _e1405 = (_e1351 - _e1355);
-                                                                        let _e1406 = (_e1349 - _e1353);
-                                                                        let _e1414 = (-(((_e1355 * _e1405) + (_e1353 * _e1406))) / ((_e1405 * _e1405) + (_e1406 * _e1406)));
-                                                                        let _e1416 = select(1f, _e1414, (_e1414 < 1f));
-                                                                        let _e1418 = select(0f, _e1416, (_e1416 > 0f));
-                                                                        let _e1431 = ((_e1357.x + (_e1363.x * _e1418)) - _e304);
-                                                                        let _e1432 = ((_e1357.y + (_e1363.y * _e1418)) - _e343);
-                                                                        let _e1433 = ((_e1357.z + (_e1363.z * _e1418)) - _e381);
-                                                                        let _e1434 = (_e1433 / _e405);
-                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u));
-                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
-                                                                        let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
-                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
-                                                                        let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
-                                                                        let _e1462 = bitcast<f32>((bitcast<u32>(_e1370) & 2147483647u));
-                                                                        let _e1465 = bitcast<f32>((bitcast<u32>(_e1375) & 2147483647u));
-                                                                        let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
-                                                                        let _e1470 = bitcast<f32>((bitcast<u32>(_e1378) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1370 * _e1431) + (_e1375 * _e1432)) + (_e1378 * _e1433)) - _e1399)) & 2147483647u)) <= ((0.0000009536743f * select(_e1336, _e1456, (_e1456 > _e1336))) * select(_e1470, _e1467, (_e1467 > _e1470)))) {
-                                                                            let _e1480 = bitcast<f32>((bitcast<u32>(_e1361.x) & 2147483647u));
-                                                                            let _e1483 = bitcast<f32>((bitcast<u32>(_e1361.y) & 2147483647u));
-                                                                            let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
-                                                                            let _e1488 = bitcast<f32>((bitcast<u32>(_e1361.z) & 2147483647u));
-                                                                            let _e1494 = bitcast<f32>((bitcast<u32>(_e1359.x) & 2147483647u));
-                                                                            let _e1497 = bitcast<f32>((bitcast<u32>(_e1359.y) & 2147483647u));
-                                                                            let _e1499 = select(_e1497, _e1494, (_e1494 > _e1497));
-                                                                            let _e1502 = bitcast<f32>((bitcast<u32>(_e1359.z) & 2147483647u));
-                                                                            let _e1506 = (bitcast<f32>((bitcast<u32>(_e1404) & 2147483647u)) > ((0.0000038146973f * select(_e1488, _e1485, (_e1485 > _e1488))) * select(_e1502, _e1499, (_e1499 > _e1502))));
-                                                                            if _e1506 {
-                                                                                phi_1865_ = (_e1399 / _e1404);
+                                                                        let _e1552 = phi_1922_;
+                                                                        let _e1563 = (((_e1534 * (_e1552.x - _e322)) + (_e1539 * (_e1552.y - _e391))) + (_e1542 * (_e1552.z - _e459)));
+                                                                        let _e1568 = (((_e1534 * _e362) + (_e1539 * _e430)) + (_e1542 * _e498));
+                                                                        let _e1569 = (_e1515 - _e1519);
+                                                                        let _e1570 = (_e1513 - _e1517);
+                                                                        let _e1578 = (-(((_e1519 * _e1569) + (_e1517 * _e1570))) / ((_e1569 * _e1569) + (_e1570 * _e1570)));
+                                                                        let _e1580 = select(1f, _e1578, (_e1578 < 1f));
+                                                                        let _e1582 = select(0f, _e1580, (_e1580 > 0f));
+                                                                        let _e1595 = ((_e1521.x + (_e1527.x * _e1582)) - _e322);
+                                                                        let _e1596 = ((_e1521.y + (_e1527.y * _e1582)) - _e391);
+                                                                        let _e1597 = ((_e1521.z + (_e1527.z * _e1582)) - _e459);
+                                                                        let _e1598 = (_e1597 / _e498);
+                                                                        let _e1610 = bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u));
+                                                                        let _e1613 = bitcast<f32>((bitcast<u32>(_e1596) & 2147483647u));
+                                                                        let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
+                                                                        let _e1618 = bitcast<f32>((bitcast<u32>(_e1597) & 2147483647u));
+                                                                        let _e1620 = select(_e1618, _e1615, (_e1615 > _e1618));
+                                                                        let _e1626 = bitcast<f32>((bitcast<u32>(_e1534) & 2147483647u));
+                                                                        let _e1629 = bitcast<f32>((bitcast<u32>(_e1539) & 2147483647u));
+                                                                        let _e1631 = select(_e1629, _e1626, (_e1626 > _e1629));
+                                                                        let _e1634 = bitcast<f32>((bitcast<u32>(_e1542) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1534 * _e1595) + (_e1539 * _e1596)) + (_e1542 * _e1597)) - _e1563)) & 2147483647u)) <= ((0.0000009536743f * select(_e1500, _e1620, (_e1620 > _e1500))) * select(_e1634, _e1631, (_e1631 > _e1634)))) {
+                                                                            let _e1644 = bitcast<f32>((bitcast<u32>(_e1525.x) & 2147483647u));
+                                                                            let _e1647 = bitcast<f32>((bitcast<u32>(_e1525.y) & 2147483647u));
+                                                                            let _e1649 = select(_e1647, _e1644, (_e1644 > _e1647));
+                                                                            let _e1652 = bitcast<f32>((bitcast<u32>(_e1525.z) & 2147483647u));
+                                                                            let _e1658 = bitcast<f32>((bitcast<u32>(_e1523.x) & 2147483647u));
+                                                                            let _e1661 = bitcast<f32>((bitcast<u32>(_e1523.y) & 2147483647u));
+                                                                            let _e1663 = select(_e1661, _e1658, (_e1658 > _e1661));
+                                                                            let _e1666 = bitcast<f32>((bitcast<u32>(_e1523.z) & 2147483647u));
+                                                                            let _e1670 = (bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u)) > ((0.0000038146973f * select(_e1652, _e1649, (_e1649 > _e1652))) * select(_e1666, _e1663, (_e1663 > _e1666))));
+                                                                            if _e1670 {
+                                                                                phi_2087_ = (_e1563 / _e1568);
                                                                             } else {
-                                                                                phi_1865_ = f32();
+                                                                                phi_2087_ = f32();
                                                                             }
-                                                                            let _e1509 = phi_1865_;
-                                                                            phi_1867_ = _e1509;
-                                                                            phi_1868_ = select(true, false, _e1506);
+                                                                            let _e1673 = phi_2087_;
+                                                                            phi_2089_ = _e1673;
+                                                                            phi_2090_ = select(true, false, _e1670);
                                                                         } else {
-                                                                            phi_1867_ = f32();
-                                                                            phi_1868_ = true;
+                                                                            phi_2089_ = f32();
+                                                                            phi_2090_ = true;
                                                                         }
-                                                                        let _e1512 = phi_1867_;
-                                                                        let _e1514 = phi_1868_;
-                                                                        if _e1514 {
-                                                                            let _e1522 = (((_e1370 * (_e1431 - (_e329 * _e1434))) + (_e1375 * (_e1432 - (_e367 * _e1434)))) / _e1404);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1522) & 2147483647u)) <= _e1336) {
-                                                                                phi_1888_ = (_e1434 + _e1522);
+                                                                        let _e1676 = phi_2089_;
+                                                                        let _e1678 = phi_2090_;
+                                                                        if _e1678 {
+                                                                            let _e1686 = (((_e1534 * (_e1595 - (_e362 * _e1598))) + (_e1539 * (_e1596 - (_e430 * _e1598)))) / _e1568);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1686) & 2147483647u)) <= _e1500) {
+                                                                                phi_2110_ = (_e1598 + _e1686);
                                                                             } else {
-                                                                                phi_1888_ = _e1434;
+                                                                                phi_2110_ = _e1598;
                                                                             }
-                                                                            let _e1529 = phi_1888_;
-                                                                            phi_1889_ = _e1529;
+                                                                            let _e1693 = phi_2110_;
+                                                                            phi_2111_ = _e1693;
                                                                         } else {
-                                                                            phi_1889_ = _e1512;
+                                                                            phi_2111_ = _e1676;
                                                                         }
-                                                                        let _e1531 = phi_1889_;
-                                                                        let _e1533 = select(_e1269, _e1531, (_e1531 < _e1269));
-                                                                        let _e1535 = select(_e1261, _e1533, (_e1533 > _e1261));
-                                                                        if (_e1535 >= _e455) {
-                                                                            let _e1537 = (_e1535 <= _e1013.member.member_1);
-                                                                            if _e1537 {
-                                                                                let _e1538 = (1f / _e1188);
-                                                                                phi_1912_ = type_25(_e1535, (_e1182 * _e1538), (_e1186 * _e1538), _e1048);
+                                                                        let _e1695 = phi_2111_;
+                                                                        let _e1697 = select(_e1433, _e1695, (_e1695 < _e1433));
+                                                                        let _e1699 = select(_e1425, _e1697, (_e1697 > _e1425));
+                                                                        if (_e1699 >= _e613) {
+                                                                            let _e1701 = (_e1699 <= _e1177.member.member_1);
+                                                                            if _e1701 {
+                                                                                let _e1702 = (1f / _e1352);
+                                                                                phi_2134_ = type_25(_e1699, (_e1346 * _e1702), (_e1350 * _e1702), _e1212);
                                                                             } else {
-                                                                                phi_1912_ = type_25();
+                                                                                phi_2134_ = type_25();
                                                                             }
-                                                                            let _e1543 = phi_1912_;
-                                                                            phi_1914_ = _e1543;
-                                                                            phi_1915_ = select(true, false, _e1537);
+                                                                            let _e1707 = phi_2134_;
+                                                                            phi_2136_ = _e1707;
+                                                                            phi_2137_ = select(true, false, _e1701);
                                                                         } else {
-                                                                            phi_1914_ = type_25();
-                                                                            phi_1915_ = true;
+                                                                            phi_2136_ = type_25();
+                                                                            phi_2137_ = true;
                                                                         }
-                                                                        let _e1546 = phi_1914_;
-                                                                        let _e1548 = phi_1915_;
-                                                                        if _e1548 {
-                                                                            phi_1919_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1710 = phi_2136_;
+                                                                        let _e1712 = phi_2137_;
+                                                                        if _e1712 {
+                                                                            phi_2141_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1919_ = _e1546;
+                                                                            phi_2141_ = _e1710;
                                                                         }
-                                                                        let _e1550 = phi_1919_;
-                                                                        phi_1920_ = _e1550;
+                                                                        let _e1714 = phi_2141_;
+                                                                        phi_2142_ = _e1714;
                                                                     }
-                                                                    let _e1552 = phi_1920_;
-                                                                    phi_1921_ = _e1552;
-                                                                    phi_1922_ = _e1278;
+                                                                    let _e1716 = phi_2142_;
+                                                                    phi_2143_ = _e1716;
+                                                                    phi_2144_ = _e1442;
                                                                 }
-                                                                let _e1554 = phi_1921_;
-                                                                let _e1556 = phi_1922_;
-                                                                phi_1926_ = _e1554;
-                                                                phi_1927_ = _e1556;
+                                                                let _e1718 = phi_2143_;
+                                                                let _e1720 = phi_2144_;
+                                                                phi_2148_ = _e1718;
+                                                                phi_2149_ = _e1720;
                                                             }
-                                                            let _e1558 = phi_1926_;
-                                                            let _e1560 = phi_1927_;
-                                                            phi_1928_ = _e1558;
-                                                            phi_1929_ = _e1213;
-                                                            phi_1930_ = _e1560;
+                                                            let _e1722 = phi_2148_;
+                                                            let _e1724 = phi_2149_;
+                                                            phi_2150_ = _e1722;
+                                                            phi_2151_ = _e1377;
+                                                            phi_2152_ = _e1724;
                                                         }
-                                                        let _e1562 = phi_1928_;
-                                                        let _e1564 = phi_1929_;
-                                                        let _e1566 = phi_1930_;
-                                                        phi_1931_ = _e1562;
-                                                        phi_1932_ = _e1564;
-                                                        phi_1933_ = _e1566;
+                                                        let _e1726 = phi_2150_;
+                                                        let _e1728 = phi_2151_;
+                                                        let _e1730 = phi_2152_;
+                                                        phi_2153_ = _e1726;
+                                                        phi_2154_ = _e1728;
+                                                        phi_2155_ = _e1730;
                                                     }
-                                                    let _e1568 = phi_1931_;
-                                                    let _e1570 = phi_1932_;
-                                                    let _e1572 = phi_1933_;
-                                                    phi_1941_ = _e1568;
-                                                    phi_1942_ = select(_e1572, true, _e1570);
+                                                    let _e1732 = phi_2153_;
+                                                    let _e1734 = phi_2154_;
+                                                    let _e1736 = phi_2155_;
+                                                    phi_2163_ = _e1732;
+                                                    phi_2164_ = select(_e1736, true, _e1734);
                                                 } else {
-                                                    phi_1941_ = type_25();
-                                                    phi_1942_ = true;
+                                                    phi_2163_ = type_25();
+                                                    phi_2164_ = true;
                                                 }
-                                                let _e1575 = phi_1941_;
-                                                let _e1577 = phi_1942_;
-                                                if _e1577 {
-                                                    phi_1946_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1739 = phi_2163_;
+                                                let _e1741 = phi_2164_;
+                                                if _e1741 {
+                                                    phi_2168_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1946_ = _e1575;
+                                                    phi_2168_ = _e1739;
                                                 }
-                                                let _e1579 = phi_1946_;
-                                                if (_e1579.member_3 != 4294967295u) {
-                                                    if (_e1048 != 4294967295u) {
-                                                        if (_e1579.member < _e1013.member.member.member) {
-                                                            phi_1972_ = true;
+                                                let _e1743 = phi_2168_;
+                                                if (_e1743.member_3 != 4294967295u) {
+                                                    if (_e1212 != 4294967295u) {
+                                                        if (_e1743.member < _e1177.member.member.member) {
+                                                            phi_2194_ = true;
                                                         } else {
-                                                            if (_e1579.member == _e1013.member.member.member) {
-                                                                phi_1971_ = (_e1579.member_3 < _e1013.member.member.member_3);
+                                                            if (_e1743.member == _e1177.member.member.member) {
+                                                                phi_2193_ = (_e1743.member_3 < _e1177.member.member.member_3);
                                                             } else {
-                                                                phi_1971_ = false;
+                                                                phi_2193_ = false;
                                                             }
-                                                            let _e1594 = phi_1971_;
-                                                            phi_1972_ = _e1594;
+                                                            let _e1758 = phi_2193_;
+                                                            phi_2194_ = _e1758;
                                                         }
-                                                        let _e1596 = phi_1972_;
-                                                        if _e1596 {
-                                                            phi_1979_ = type_40(type_33(_e1579, _e1579.member), _e1040.member_1, _e1040.member_2);
+                                                        let _e1760 = phi_2194_;
+                                                        if _e1760 {
+                                                            phi_2201_ = type_40(type_33(_e1743, _e1743.member), _e1204.member_1, _e1204.member_2);
                                                         } else {
-                                                            phi_1979_ = _e1040;
+                                                            phi_2201_ = _e1204;
                                                         }
-                                                        let _e1603 = phi_1979_;
-                                                        phi_1980_ = _e1603;
+                                                        let _e1767 = phi_2201_;
+                                                        phi_2202_ = _e1767;
                                                     } else {
-                                                        phi_1980_ = _e1040;
+                                                        phi_2202_ = _e1204;
                                                     }
-                                                    let _e1605 = phi_1980_;
-                                                    phi_1981_ = _e1605;
+                                                    let _e1769 = phi_2202_;
+                                                    phi_2203_ = _e1769;
                                                 } else {
-                                                    phi_1981_ = _e1040;
+                                                    phi_2203_ = _e1204;
                                                 }
-                                                let _e1607 = phi_1981_;
-                                                phi_968_ = _e1607;
+                                                let _e1771 = phi_2203_;
+                                                phi_1190_ = _e1771;
                                             } else {
-                                                phi_968_ = type_40();
+                                                phi_1190_ = type_40();
                                             }
-                                            let _e1609 = phi_968_;
+                                            let _e1773 = phi_1190_;
                                             continue;
                                             continuing {
-                                                phi_967_ = _e1609;
-                                                phi_970_ = _e1028;
-                                                phi_3409_ = _e498;
-                                                break if !(_e1034);
+                                                phi_1189_ = _e1773;
+                                                phi_1192_ = _e1192;
+                                                phi_3639_ = _e656;
+                                                break if !(_e1198);
                                             }
                                         }
-                                        let _e1612 = phi_3409_;
-                                        phi_3551_ = _e1612;
-                                        if _e1612 {
+                                        let _e1776 = phi_3639_;
+                                        phi_3799_ = _e1776;
+                                        if _e1776 {
                                             break;
                                         }
-                                        phi_3555_ = _e1612;
-                                        let _e1784 = local_12;
-                                        phi_3189_ = _e1784;
-                                        phi_3190_ = _e540;
-                                        phi_3191_ = false;
-                                        phi_3192_ = _e544;
+                                        phi_3803_ = _e1776;
+                                        let _e1954 = local_12;
+                                        phi_3411_ = _e1954;
+                                        phi_3412_ = _e698;
+                                        phi_3413_ = false;
+                                        phi_3414_ = _e702;
                                     } else {
-                                        if (_e540.member_1 >= _e85) {
-                                            phi_2745_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e698.member_1 >= _e88) {
+                                            phi_2967_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e540.member_1 < _e85) {
+                                            if (_e698.member_1 < _e88) {
                                             } else {
-                                                phi_3551_ = true;
+                                                phi_3799_ = true;
                                                 break;
                                             }
-                                            let _e561 = (_e255 * 2u);
-                                            let _e563 = ((1u + _e561) % 7u);
-                                            if (_e563 < 7u) {
+                                            let _e719 = (_e258 * 2u);
+                                            let _e721 = ((1u + _e719) % 7u);
+                                            if (_e721 < 7u) {
                                             } else {
-                                                phi_3551_ = true;
+                                                phi_3799_ = true;
                                                 break;
                                             }
-                                            let _e568 = global_5.member[_e540.member_1][_e563];
-                                            let _e570 = ((_e561 + 2u) % 7u);
-                                            if (_e570 < 7u) {
+                                            let _e726 = global_5.member[_e698.member_1][_e721];
+                                            let _e728 = ((_e719 + 2u) % 7u);
+                                            if (_e728 < 7u) {
                                             } else {
-                                                phi_3551_ = true;
+                                                phi_3799_ = true;
                                                 break;
                                             }
-                                            let _e575 = global_5.member[_e540.member_1][_e570];
-                                            let _e576 = (_e254 * 2u);
-                                            let _e578 = ((1u + _e576) % 7u);
-                                            if (_e578 < 7u) {
+                                            let _e733 = global_5.member[_e698.member_1][_e728];
+                                            let _e734 = (_e257 * 2u);
+                                            let _e736 = ((1u + _e734) % 7u);
+                                            if (_e736 < 7u) {
                                             } else {
-                                                phi_3551_ = true;
+                                                phi_3799_ = true;
                                                 break;
                                             }
-                                            let _e583 = global_5.member[_e540.member_1][_e578];
-                                            let _e585 = ((_e576 + 2u) % 7u);
-                                            if (_e585 < 7u) {
+                                            let _e741 = global_5.member[_e698.member_1][_e736];
+                                            let _e743 = ((_e734 + 2u) % 7u);
+                                            if (_e743 < 7u) {
                                             } else {
-                                                phi_3551_ = true;
+                                                phi_3799_ = true;
                                                 break;
                                             }
-                                            let _e590 = global_5.member[_e540.member_1][_e585];
-                                            let _e591 = (_e256 * 2u);
-                                            let _e593 = ((1u + _e591) % 7u);
-                                            if (_e593 < 7u) {
+                                            let _e748 = global_5.member[_e698.member_1][_e743];
+                                            let _e749 = (_e259 * 2u);
+                                            let _e751 = ((1u + _e749) % 7u);
+                                            if (_e751 < 7u) {
                                             } else {
-                                                phi_3551_ = true;
+                                                phi_3799_ = true;
                                                 break;
                                             }
-                                            let _e598 = global_5.member[_e540.member_1][_e593];
-                                            let _e600 = ((_e591 + 2u) % 7u);
-                                            if (_e600 < 7u) {
+                                            let _e756 = global_5.member[_e698.member_1][_e751];
+                                            let _e758 = ((_e749 + 2u) % 7u);
+                                            if (_e758 < 7u) {
                                             } else {
-                                                phi_3551_ = true;
+                                                phi_3799_ = true;
                                                 break;
                                             }
-                                            let _e605 = global_5.member[_e540.member_1][_e600];
-                                            let _e628 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.x - _e540.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e629 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.y - _e540.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e630 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.z - _e540.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e632 = select(_e135, _e628, (_e628 > _e135));
-                                            let _e634 = select(_e135, _e629, (_e629 > _e135));
-                                            let _e636 = select(_e135, _e630, (_e630 > _e135));
-                                            let _e661 = bitcast<u32>((f32(bitcast<i32>((_e568 & 2097151u))) * _e632));
-                                            let _e666 = (bitcast<i32>((_e568 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e669 = bitcast<f32>((_e661 & bitcast<u32>(_e666)));
-                                            let _e670 = bitcast<u32>((f32(bitcast<i32>((_e583 & 2097151u))) * _e634));
-                                            let _e675 = (bitcast<i32>((_e583 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e678 = bitcast<f32>((_e670 & bitcast<u32>(_e675)));
-                                            let _e679 = bitcast<u32>((f32(bitcast<i32>((_e598 & 2097151u))) * _e636));
-                                            let _e684 = (bitcast<i32>((_e598 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e687 = bitcast<f32>((_e679 & bitcast<u32>(_e684)));
-                                            let _e691 = bitcast<f32>((_e661 & bitcast<u32>(~(_e666))));
-                                            let _e695 = bitcast<f32>((_e670 & bitcast<u32>(~(_e675))));
-                                            let _e699 = bitcast<f32>((_e679 & bitcast<u32>(~(_e684))));
-                                            let _e700 = bitcast<u32>((f32(bitcast<i32>((_e575 & 2097151u))) * _e632));
-                                            let _e705 = (bitcast<i32>((_e575 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e708 = bitcast<f32>((_e700 & bitcast<u32>(_e705)));
-                                            let _e709 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e634));
-                                            let _e714 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e717 = bitcast<f32>((_e709 & bitcast<u32>(_e714)));
-                                            let _e718 = bitcast<u32>((f32(bitcast<i32>((_e605 & 2097151u))) * _e636));
-                                            let _e723 = (bitcast<i32>((_e605 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e726 = bitcast<f32>((_e718 & bitcast<u32>(_e723)));
-                                            let _e730 = bitcast<f32>((_e700 & bitcast<u32>(~(_e705))));
-                                            let _e734 = bitcast<f32>((_e709 & bitcast<u32>(~(_e714))));
-                                            let _e738 = bitcast<f32>((_e718 & bitcast<u32>(~(_e723))));
-                                            let _e768 = global_5.member[_e540.member_1][0u];
-                                            let _e772 = global_5.member[_e540.member_1][2u];
-                                            let _e776 = global_5.member[_e540.member_1][4u];
-                                            let _e780 = global_5.member[_e540.member_1][6u];
-                                            let _e792 = (((_e772 >> bitcast<u32>(22i)) | ((_e776 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e780 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e793 = (_e768 & 268435455u);
-                                            let _e794 = (_e792 & 268435455u);
-                                            let _e797 = ((_e768 >> bitcast<u32>(28u)) & 7u);
-                                            let _e805 = ((_e768 >> bitcast<u32>(31i)) | (((_e792 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e806 = (_e797 != 0u);
-                                            if (_e797 == 0u) {
-                                                phi_2707_ = _e793;
+                                            let _e763 = global_5.member[_e698.member_1][_e758];
+                                            let _e786 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.x - _e698.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e787 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.y - _e698.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e788 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.z - _e698.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e790 = select(_e138, _e786, (_e786 > _e138));
+                                            let _e792 = select(_e138, _e787, (_e787 > _e138));
+                                            let _e794 = select(_e138, _e788, (_e788 > _e138));
+                                            let _e825 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e726 & 2097151u))) - 8388608f) * _e790));
+                                            let _e830 = (bitcast<i32>((_e726 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e833 = bitcast<f32>((_e825 & bitcast<u32>(_e830)));
+                                            let _e834 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e741 & 2097151u))) - 8388608f) * _e792));
+                                            let _e839 = (bitcast<i32>((_e741 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e842 = bitcast<f32>((_e834 & bitcast<u32>(_e839)));
+                                            let _e843 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e756 & 2097151u))) - 8388608f) * _e794));
+                                            let _e848 = (bitcast<i32>((_e756 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e851 = bitcast<f32>((_e843 & bitcast<u32>(_e848)));
+                                            let _e855 = bitcast<f32>((_e825 & bitcast<u32>(~(_e830))));
+                                            let _e859 = bitcast<f32>((_e834 & bitcast<u32>(~(_e839))));
+                                            let _e863 = bitcast<f32>((_e843 & bitcast<u32>(~(_e848))));
+                                            let _e864 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 2097151u))) - 8388608f) * _e790));
+                                            let _e869 = (bitcast<i32>((_e733 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e872 = bitcast<f32>((_e864 & bitcast<u32>(_e869)));
+                                            let _e873 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e748 & 2097151u))) - 8388608f) * _e792));
+                                            let _e878 = (bitcast<i32>((_e748 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e881 = bitcast<f32>((_e873 & bitcast<u32>(_e878)));
+                                            let _e882 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e763 & 2097151u))) - 8388608f) * _e794));
+                                            let _e887 = (bitcast<i32>((_e763 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e890 = bitcast<f32>((_e882 & bitcast<u32>(_e887)));
+                                            let _e894 = bitcast<f32>((_e864 & bitcast<u32>(~(_e869))));
+                                            let _e898 = bitcast<f32>((_e873 & bitcast<u32>(~(_e878))));
+                                            let _e902 = bitcast<f32>((_e882 & bitcast<u32>(~(_e887))));
+                                            let _e932 = global_5.member[_e698.member_1][0u];
+                                            let _e936 = global_5.member[_e698.member_1][2u];
+                                            let _e940 = global_5.member[_e698.member_1][4u];
+                                            let _e944 = global_5.member[_e698.member_1][6u];
+                                            let _e956 = (((_e936 >> bitcast<u32>(22i)) | ((_e940 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e944 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e957 = (_e932 & 268435455u);
+                                            let _e958 = (_e956 & 268435455u);
+                                            let _e961 = ((_e932 >> bitcast<u32>(28u)) & 7u);
+                                            let _e969 = ((_e932 >> bitcast<u32>(31i)) | (((_e956 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e970 = (_e961 != 0u);
+                                            if (_e961 == 0u) {
+                                                phi_2929_ = _e957;
                                             } else {
-                                                if (_e797 == 7u) {
-                                                    phi_2706_ = 2147483648u;
+                                                if (_e961 == 7u) {
+                                                    phi_2928_ = 2147483648u;
                                                 } else {
-                                                    phi_2706_ = ((2147483648u | (_e797 << bitcast<u32>(28u))) | (_e794 & 268435455u));
+                                                    phi_2928_ = ((2147483648u | (_e961 << bitcast<u32>(28u))) | (_e958 & 268435455u));
                                                 }
-                                                let _e815 = phi_2706_;
-                                                phi_2707_ = _e815;
+                                                let _e979 = phi_2928_;
+                                                phi_2929_ = _e979;
                                             }
-                                            let _e817 = phi_2707_;
-                                            if _e806 {
-                                                let _e818 = (_e797 != 7u);
-                                                if _e818 {
-                                                    phi_2717_ = (_e794 + _e797);
+                                            let _e981 = phi_2929_;
+                                            if _e970 {
+                                                let _e982 = (_e961 != 7u);
+                                                if _e982 {
+                                                    phi_2939_ = (_e958 + _e961);
                                                 } else {
-                                                    phi_2717_ = u32();
+                                                    phi_2939_ = u32();
                                                 }
-                                                let _e821 = phi_2717_;
-                                                phi_2719_ = _e821;
-                                                phi_2720_ = select(true, false, _e818);
+                                                let _e985 = phi_2939_;
+                                                phi_2941_ = _e985;
+                                                phi_2942_ = select(true, false, _e982);
                                             } else {
-                                                phi_2719_ = u32();
-                                                phi_2720_ = true;
+                                                phi_2941_ = u32();
+                                                phi_2942_ = true;
                                             }
-                                            let _e824 = phi_2719_;
-                                            let _e826 = phi_2720_;
-                                            if (_e805 == 0u) {
-                                                phi_2741_ = (_e793 + select(0u, 1u, !(_e806)));
+                                            let _e988 = phi_2941_;
+                                            let _e990 = phi_2942_;
+                                            if (_e969 == 0u) {
+                                                phi_2963_ = (_e957 + select(0u, 1u, !(_e970)));
                                             } else {
-                                                if (_e805 == 7u) {
-                                                    phi_2740_ = 2147483648u;
+                                                if (_e969 == 7u) {
+                                                    phi_2962_ = 2147483648u;
                                                 } else {
-                                                    phi_2740_ = ((2147483648u | (_e805 << bitcast<u32>(28u))) | (select(_e824, _e794, _e826) & 268435455u));
+                                                    phi_2962_ = ((2147483648u | (_e969 << bitcast<u32>(28u))) | (select(_e988, _e958, _e990) & 268435455u));
                                                 }
-                                                let _e839 = phi_2740_;
-                                                phi_2741_ = _e839;
+                                                let _e1003 = phi_2962_;
+                                                phi_2963_ = _e1003;
                                             }
-                                            let _e841 = phi_2741_;
-                                            phi_2745_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e540.member.member.x + _e669), (_e540.member.member.x + _e691), (_e540.member.member_1.x - _e708), (_e540.member.member_1.x - _e730)), vec4<f32>((_e540.member.member.y + _e678), (_e540.member.member.y + _e695), (_e540.member.member_1.y - _e717), (_e540.member.member_1.y - _e734)), vec4<f32>((_e540.member.member.z + _e687), (_e540.member.member.z + _e699), (_e540.member.member_1.z - _e726), (_e540.member.member_1.z - _e738))), type_51(type_29((_e540.member.member + vec4<f32>(_e669, _e678, _e687, 0f)), (_e540.member.member_1 - vec4<f32>(_e708, _e717, _e726, 0f))), _e817), type_51(type_29((_e540.member.member + vec4<f32>(_e691, _e695, _e699, 0f)), (_e540.member.member_1 - vec4<f32>(_e730, _e734, _e738, 0f))), _e841));
+                                            let _e1005 = phi_2963_;
+                                            phi_2967_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e698.member.member.x + _e833), (_e698.member.member.x + _e855), (_e698.member.member_1.x - _e872), (_e698.member.member_1.x - _e894)), vec4<f32>((_e698.member.member.y + _e842), (_e698.member.member.y + _e859), (_e698.member.member_1.y - _e881), (_e698.member.member_1.y - _e898)), vec4<f32>((_e698.member.member.z + _e851), (_e698.member.member.z + _e863), (_e698.member.member_1.z - _e890), (_e698.member.member_1.z - _e902))), type_51(type_29((_e698.member.member + vec4<f32>(_e833, _e842, _e851, 0f)), (_e698.member.member_1 - vec4<f32>(_e872, _e881, _e890, 0f))), _e981), type_51(type_29((_e698.member.member + vec4<f32>(_e855, _e859, _e863, 0f)), (_e698.member.member_1 - vec4<f32>(_e894, _e898, _e902, 0f))), _e1005));
                                         }
-                                        let _e846 = phi_2745_;
-                                        let _e859 = ((_e846.member[0].x - _e327) * _e332);
-                                        let _e860 = ((_e846.member[0].y - _e327) * _e332);
-                                        let _e861 = ((_e846.member[0].z - _e328) * _e332);
-                                        let _e862 = ((_e846.member[0].w - _e328) * _e332);
-                                        let _e872 = ((_e846.member[1].x - _e365) * _e370);
-                                        let _e873 = ((_e846.member[1].y - _e365) * _e370);
-                                        let _e874 = ((_e846.member[1].z - _e366) * _e370);
-                                        let _e875 = ((_e846.member[1].w - _e366) * _e370);
-                                        let _e885 = ((_e846.member[2].x - _e403) * _e408);
-                                        let _e886 = ((_e846.member[2].y - _e403) * _e408);
-                                        let _e887 = ((_e846.member[2].z - _e404) * _e408);
-                                        let _e888 = ((_e846.member[2].w - _e404) * _e408);
-                                        let _e890 = select(_e887, _e885, (_e885 < _e887));
-                                        let _e892 = select(_e888, _e886, (_e886 < _e888));
-                                        let _e894 = select(_e887, _e885, (_e885 > _e887));
-                                        let _e896 = select(_e888, _e886, (_e886 > _e888));
-                                        let _e898 = select(_e861, _e859, (_e859 < _e861));
-                                        let _e900 = select(_e862, _e860, (_e860 < _e862));
-                                        let _e902 = select(_e874, _e872, (_e872 < _e874));
-                                        let _e904 = select(_e875, _e873, (_e873 < _e875));
-                                        let _e906 = select(_e902, _e898, (_e898 > _e902));
-                                        let _e908 = select(_e904, _e900, (_e900 > _e904));
-                                        let _e910 = select(_e890, _e906, (_e906 > _e890));
-                                        let _e912 = select(_e892, _e908, (_e908 > _e892));
-                                        let _e914 = select(_e861, _e859, (_e859 > _e861));
-                                        let _e916 = select(_e862, _e860, (_e860 > _e862));
-                                        let _e918 = select(_e874, _e872, (_e872 > _e874));
-                                        let _e920 = select(_e875, _e873, (_e873 > _e875));
-                                        let _e922 = select(_e918, _e914, (_e914 < _e918));
-                                        let _e924 = select(_e920, _e916, (_e916 < _e920));
-                                        let _e929 = -(_e890);
-                                        let _e930 = -(_e892);
-                                        let _e937 = (select(_e894, _e922, (_e922 < _e894)) + (select(_e929, _e894, (_e894 > _e929)) * 0.0000019073523f));
-                                        let _e938 = (select(_e896, _e924, (_e924 < _e896)) + (select(_e930, _e896, (_e896 > _e930)) * 0.0000019073523f));
-                                        let _e940 = select(_e455, _e910, (_e910 > _e455));
-                                        let _e942 = select(_e455, _e912, (_e912 > _e455));
-                                        let _e947 = (_e940 <= select(_e500.member.member_1, _e937, (_e937 < _e500.member.member_1)));
-                                        let _e948 = (_e942 <= select(_e500.member.member_1, _e938, (_e938 < _e500.member.member_1)));
-                                        let _e949 = (_e940 <= _e942);
-                                        if _e947 {
-                                            if _e948 {
-                                                if _e949 {
-                                                    phi_3089_ = _e846.member_2;
+                                        let _e1010 = phi_2967_;
+                                        let _e1023 = ((_e1010.member[0].x - _e360) * _e365);
+                                        let _e1024 = ((_e1010.member[0].y - _e360) * _e365);
+                                        let _e1025 = ((_e1010.member[0].z - _e361) * _e365);
+                                        let _e1026 = ((_e1010.member[0].w - _e361) * _e365);
+                                        let _e1036 = ((_e1010.member[1].x - _e428) * _e433);
+                                        let _e1037 = ((_e1010.member[1].y - _e428) * _e433);
+                                        let _e1038 = ((_e1010.member[1].z - _e429) * _e433);
+                                        let _e1039 = ((_e1010.member[1].w - _e429) * _e433);
+                                        let _e1049 = ((_e1010.member[2].x - _e496) * _e501);
+                                        let _e1050 = ((_e1010.member[2].y - _e496) * _e501);
+                                        let _e1051 = ((_e1010.member[2].z - _e497) * _e501);
+                                        let _e1052 = ((_e1010.member[2].w - _e497) * _e501);
+                                        let _e1054 = select(_e1051, _e1049, (_e1049 < _e1051));
+                                        let _e1056 = select(_e1052, _e1050, (_e1050 < _e1052));
+                                        let _e1058 = select(_e1051, _e1049, (_e1049 > _e1051));
+                                        let _e1060 = select(_e1052, _e1050, (_e1050 > _e1052));
+                                        let _e1062 = select(_e1025, _e1023, (_e1023 < _e1025));
+                                        let _e1064 = select(_e1026, _e1024, (_e1024 < _e1026));
+                                        let _e1066 = select(_e1038, _e1036, (_e1036 < _e1038));
+                                        let _e1068 = select(_e1039, _e1037, (_e1037 < _e1039));
+                                        let _e1070 = select(_e1066, _e1062, (_e1062 > _e1066));
+                                        let _e1072 = select(_e1068, _e1064, (_e1064 > _e1068));
+                                        let _e1074 = select(_e1054, _e1070, (_e1070 > _e1054));
+                                        let _e1076 = select(_e1056, _e1072, (_e1072 > _e1056));
+                                        let _e1078 = select(_e1025, _e1023, (_e1023 > _e1025));
+                                        let _e1080 = select(_e1026, _e1024, (_e1024 > _e1026));
+                                        let _e1082 = select(_e1038, _e1036, (_e1036 > _e1038));
+                                        let _e1084 = select(_e1039, _e1037, (_e1037 > _e1039));
+                                        let _e1086 = select(_e1082, _e1078, (_e1078 < _e1082));
+                                        let _e1088 = select(_e1084, _e1080, (_e1080 < _e1084));
+                                        let _e1093 = -(_e1054);
+                                        let _e1094 = -(_e1056);
+                                        let _e1101 = (select(_e1058, _e1086, (_e1086 < _e1058)) + (select(_e1093, _e1058, (_e1058 > _e1093)) * 0.0000019073523f));
+                                        let _e1102 = (select(_e1060, _e1088, (_e1088 < _e1060)) + (select(_e1094, _e1060, (_e1060 > _e1094)) * 0.0000019073523f));
+                                        let _e1104 = select(_e613, _e1074, (_e1074 > _e613));
+                                        let _e1106 = select(_e613, _e1076, (_e1076 > _e613));
+                                        let _e1111 = (_e1104 <= select(_e658.member.member_1, _e1101, (_e1101 < _e658.member.member_1)));
+                                        let _e1112 = (_e1106 <= select(_e658.member.member_1, _e1102, (_e1102 < _e658.member.member_1)));
+                                        let _e1113 = (_e1104 <= _e1106);
+                                        if _e1111 {
+                                            if _e1112 {
+                                                if _e1113 {
+                                                    phi_3311_ = _e1010.member_2;
                                                 } else {
-                                                    phi_3089_ = _e846.member_1;
+                                                    phi_3311_ = _e1010.member_1;
                                                 }
-                                                let _e953 = phi_3089_;
-                                                let _e975 = (_e544 % 128u);
-                                                let _e976 = (_e975 < 128u);
-                                                if _e976 {
+                                                let _e1117 = phi_3311_;
+                                                let _e1139 = (_e702 % 128u);
+                                                let _e1140 = (_e1139 < 128u);
+                                                if _e1140 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_8[_e975] = _e953.member_1;
-                                                if _e976 {
+                                                local_8[_e1139] = _e1117.member_1;
+                                                if _e1140 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_7[_e975] = _e953.member.member.x;
-                                                if _e976 {
+                                                local_7[_e1139] = _e1117.member.member.x;
+                                                if _e1140 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_6[_e975] = _e953.member.member.y;
-                                                if _e976 {
+                                                local_6[_e1139] = _e1117.member.member.y;
+                                                if _e1140 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_5[_e975] = _e953.member.member.z;
-                                                if _e976 {
+                                                local_5[_e1139] = _e1117.member.member.z;
+                                                if _e1140 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_4[_e975] = _e953.member.member_1.x;
-                                                if _e976 {
+                                                local_4[_e1139] = _e1117.member.member_1.x;
+                                                if _e1140 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_3[_e975] = _e953.member.member_1.y;
-                                                if _e976 {
+                                                local_3[_e1139] = _e1117.member.member_1.y;
+                                                if _e1140 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_2[_e975] = _e953.member.member_1.z;
-                                                if _e976 {
+                                                local_2[_e1139] = _e1117.member.member_1.z;
+                                                if _e1140 {
                                                 } else {
-                                                    phi_3551_ = true;
+                                                    phi_3799_ = true;
                                                     break;
                                                 }
-                                                local_9[_e975] = select(_e942, _e940, (_e940 > _e942));
-                                                if _e949 {
-                                                    phi_3166_ = _e846.member_1;
+                                                local_9[_e1139] = select(_e1106, _e1104, (_e1104 > _e1106));
+                                                if _e1113 {
+                                                    phi_3388_ = _e1010.member_1;
                                                 } else {
-                                                    phi_3166_ = _e846.member_2;
+                                                    phi_3388_ = _e1010.member_2;
                                                 }
-                                                let _e989 = phi_3166_;
-                                                phi_3167_ = _e989;
-                                                phi_3168_ = (_e544 + 1u);
+                                                let _e1153 = phi_3388_;
+                                                phi_3389_ = _e1153;
+                                                phi_3390_ = (_e702 + 1u);
                                             } else {
-                                                phi_3167_ = type_51();
-                                                phi_3168_ = u32();
+                                                phi_3389_ = type_51();
+                                                phi_3390_ = u32();
                                             }
-                                            let _e991 = phi_3167_;
-                                            let _e993 = phi_3168_;
-                                            phi_3170_ = _e991;
-                                            phi_3171_ = _e993;
-                                            phi_3172_ = select(true, false, _e948);
+                                            let _e1155 = phi_3389_;
+                                            let _e1157 = phi_3390_;
+                                            phi_3392_ = _e1155;
+                                            phi_3393_ = _e1157;
+                                            phi_3394_ = select(true, false, _e1112);
                                         } else {
-                                            phi_3170_ = type_51();
-                                            phi_3171_ = u32();
-                                            phi_3172_ = true;
+                                            phi_3392_ = type_51();
+                                            phi_3393_ = u32();
+                                            phi_3394_ = true;
                                         }
-                                        let _e996 = phi_3170_;
-                                        let _e998 = phi_3171_;
-                                        let _e1000 = phi_3172_;
-                                        if _e1000 {
-                                            if _e947 {
-                                                phi_3181_ = _e846.member_1;
+                                        let _e1160 = phi_3392_;
+                                        let _e1162 = phi_3393_;
+                                        let _e1164 = phi_3394_;
+                                        if _e1164 {
+                                            if _e1111 {
+                                                phi_3403_ = _e1010.member_1;
                                             } else {
-                                                phi_3181_ = _e846.member_2;
+                                                phi_3403_ = _e1010.member_2;
                                             }
-                                            let _e1004 = phi_3181_;
-                                            phi_3186_ = _e1004;
-                                            phi_3187_ = select(_e948, true, _e947);
+                                            let _e1168 = phi_3403_;
+                                            phi_3408_ = _e1168;
+                                            phi_3409_ = select(_e1112, true, _e1111);
                                         } else {
-                                            phi_3186_ = _e996;
-                                            phi_3187_ = _e542;
+                                            phi_3408_ = _e1160;
+                                            phi_3409_ = _e700;
                                         }
-                                        let _e1007 = phi_3186_;
-                                        let _e1009 = phi_3187_;
-                                        phi_3555_ = _e498;
-                                        phi_3189_ = type_40(_e500.member, (_e500.member_1 + 1u), _e500.member_2);
-                                        phi_3190_ = _e1007;
-                                        phi_3191_ = _e1009;
-                                        phi_3192_ = select(_e998, _e544, _e1000);
+                                        let _e1171 = phi_3408_;
+                                        let _e1173 = phi_3409_;
+                                        phi_3803_ = _e656;
+                                        phi_3411_ = type_40(_e658.member, (_e658.member_1 + 1u), _e658.member_2);
+                                        phi_3412_ = _e1171;
+                                        phi_3413_ = _e1173;
+                                        phi_3414_ = select(_e1162, _e702, _e1164);
                                     }
-                                    let _e1614 = phi_3555_;
-                                    let _e1616 = phi_3189_;
-                                    let _e1618 = phi_3190_;
-                                    let _e1620 = phi_3191_;
-                                    let _e1622 = phi_3192_;
-                                    phi_3554_ = _e1614;
-                                    phi_3193_ = _e1616;
-                                    phi_3194_ = _e1618;
-                                    phi_3195_ = (_e504 - 1u);
-                                    phi_3196_ = _e1620;
-                                    phi_3197_ = _e1622;
+                                    let _e1778 = phi_3803_;
+                                    let _e1780 = phi_3411_;
+                                    let _e1782 = phi_3412_;
+                                    let _e1784 = phi_3413_;
+                                    let _e1786 = phi_3414_;
+                                    phi_3802_ = _e1778;
+                                    phi_3415_ = _e1780;
+                                    phi_3416_ = _e1782;
+                                    phi_3417_ = (_e662 - 1u);
+                                    phi_3418_ = _e1784;
+                                    phi_3419_ = _e1786;
                                 } else {
-                                    phi_3554_ = _e498;
-                                    phi_3193_ = _e500;
-                                    phi_3194_ = _e540;
-                                    phi_3195_ = _e504;
-                                    phi_3196_ = _e542;
-                                    phi_3197_ = _e544;
+                                    phi_3802_ = _e656;
+                                    phi_3415_ = _e658;
+                                    phi_3416_ = _e698;
+                                    phi_3417_ = _e662;
+                                    phi_3418_ = _e700;
+                                    phi_3419_ = _e702;
                                 }
-                                let _e1624 = phi_3554_;
-                                let _e1626 = phi_3193_;
-                                let _e1628 = phi_3194_;
-                                let _e1630 = phi_3195_;
-                                let _e1632 = phi_3196_;
-                                let _e1634 = phi_3197_;
-                                phi_3553_ = _e1624;
-                                phi_3198_ = _e1626;
-                                phi_3199_ = _e1628;
-                                phi_3200_ = _e1630;
-                                phi_3201_ = _e1632;
-                                phi_3202_ = _e1634;
+                                let _e1788 = phi_3802_;
+                                let _e1790 = phi_3415_;
+                                let _e1792 = phi_3416_;
+                                let _e1794 = phi_3417_;
+                                let _e1796 = phi_3418_;
+                                let _e1798 = phi_3419_;
+                                phi_3801_ = _e1788;
+                                phi_3420_ = _e1790;
+                                phi_3421_ = _e1792;
+                                phi_3422_ = _e1794;
+                                phi_3423_ = _e1796;
+                                phi_3424_ = _e1798;
                             } else {
-                                phi_3553_ = _e498;
-                                phi_3198_ = type_40();
-                                phi_3199_ = type_51();
-                                phi_3200_ = u32();
-                                phi_3201_ = bool();
-                                phi_3202_ = u32();
+                                phi_3801_ = _e656;
+                                phi_3420_ = type_40();
+                                phi_3421_ = type_51();
+                                phi_3422_ = u32();
+                                phi_3423_ = bool();
+                                phi_3424_ = u32();
                             }
-                            let _e1636 = phi_3553_;
-                            let _e1638 = phi_3198_;
-                            let _e1640 = phi_3199_;
-                            let _e1642 = phi_3200_;
-                            let _e1644 = phi_3201_;
-                            let _e1646 = phi_3202_;
-                            phi_3552_ = _e1636;
-                            phi_842_ = _e1638;
-                            phi_845_ = _e1640;
-                            phi_847_ = _e1642;
-                            phi_849_ = _e1644;
-                            phi_851_ = _e1646;
-                            phi_3203_ = _e512;
+                            let _e1800 = phi_3801_;
+                            let _e1802 = phi_3420_;
+                            let _e1804 = phi_3421_;
+                            let _e1806 = phi_3422_;
+                            let _e1808 = phi_3423_;
+                            let _e1810 = phi_3424_;
+                            phi_3800_ = _e1800;
+                            phi_1064_ = _e1802;
+                            phi_1067_ = _e1804;
+                            phi_1069_ = _e1806;
+                            phi_1071_ = _e1808;
+                            phi_1073_ = _e1810;
+                            phi_3425_ = _e670;
                         } else {
-                            phi_3552_ = _e498;
-                            phi_842_ = type_40();
-                            phi_845_ = type_51();
-                            phi_847_ = u32();
-                            phi_849_ = bool();
-                            phi_851_ = u32();
-                            phi_3203_ = false;
+                            phi_3800_ = _e656;
+                            phi_1064_ = type_40();
+                            phi_1067_ = type_51();
+                            phi_1069_ = u32();
+                            phi_1071_ = bool();
+                            phi_1073_ = u32();
+                            phi_3425_ = false;
                         }
-                        let _e1648 = phi_3552_;
-                        let _e1650 = phi_842_;
-                        let _e1652 = phi_845_;
-                        let _e1654 = phi_847_;
-                        let _e1656 = phi_849_;
-                        let _e1658 = phi_851_;
-                        let _e1660 = phi_3203_;
+                        let _e1812 = phi_3800_;
+                        let _e1814 = phi_1064_;
+                        let _e1816 = phi_1067_;
+                        let _e1818 = phi_1069_;
+                        let _e1820 = phi_1071_;
+                        let _e1822 = phi_1073_;
+                        let _e1824 = phi_3425_;
                         continue;
                         continuing {
-                            phi_3415_ = _e1648;
-                            phi_841_ = _e1650;
-                            phi_844_ = _e1652;
-                            phi_846_ = _e1654;
-                            phi_848_ = _e1656;
-                            phi_850_ = _e1658;
-                            phi_3551_ = _e1648;
-                            break if !(_e1660);
+                            phi_3645_ = _e1812;
+                            phi_1063_ = _e1814;
+                            phi_1066_ = _e1816;
+                            phi_1068_ = _e1818;
+                            phi_1070_ = _e1820;
+                            phi_1072_ = _e1822;
+                            phi_3799_ = _e1812;
+                            break if !(_e1824);
                         }
                     }
-                    let _e1663 = phi_3551_;
-                    if _e1663 {
+                    let _e1827 = phi_3799_;
+                    if _e1827 {
                         break;
                     }
-                    let _e1665 = local_10;
-                    let _e1668 = local_11;
-                    if _e143 {
+                    let _e1829 = local_10;
+                    let _e1832 = local_11;
+                    if _e146 {
                     } else {
                         break;
                     }
-                    global_6.member[_e141][0u] = _e1665.member_1;
-                    global_6.member[_e141][1u] = _e1668.member_2;
+                    global_6.member[_e144][0u] = _e1829.member_1;
+                    global_6.member[_e144][1u] = _e1832.member_2;
                 }
             }
             break;

@@ -93,438 +93,498 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_395_: i32;
-    var phi_396_: i32;
-    var phi_406_: bool;
-    var phi_416_: u32;
-    var phi_417_: u32;
-    var phi_419_: bool;
-    var phi_424_: u32;
-    var phi_436_: i32;
-    var phi_456_: i32;
-    var phi_474_: f32;
-    var phi_480_: f32;
-    var phi_491_: f32;
-    var phi_497_: f32;
-    var phi_520_: f32;
-    var phi_531_: f32;
-    var phi_540_: f32;
-    var phi_546_: f32;
-    var phi_557_: f32;
-    var phi_563_: f32;
-    var phi_586_: f32;
-    var phi_597_: f32;
+    var phi_397_: i32;
+    var phi_398_: i32;
+    var phi_408_: bool;
+    var phi_418_: u32;
+    var phi_419_: u32;
+    var phi_421_: bool;
+    var phi_426_: u32;
+    var phi_438_: i32;
+    var phi_458_: i32;
+    var phi_476_: f32;
+    var phi_482_: f32;
+    var phi_522_: f32;
+    var phi_528_: f32;
+    var phi_580_: f32;
+    var phi_591_: f32;
+    var phi_600_: f32;
     var phi_606_: f32;
-    var phi_612_: f32;
-    var phi_623_: f32;
-    var phi_629_: f32;
+    var phi_646_: f32;
     var phi_652_: f32;
-    var phi_663_: f32;
-    var phi_763_: f32;
-    var phi_764_: f32;
-    var phi_4047_: bool;
-    var phi_854_: type_39;
-    var phi_857_: type_50;
-    var phi_859_: u32;
-    var phi_861_: bool;
-    var phi_863_: u32;
-    var phi_874_: bool;
-    var phi_960_: type_50;
-    var phi_961_: bool;
-    var phi_962_: u32;
-    var phi_3078_: u32;
-    var phi_3084_: u32;
-    var phi_3338_: u32;
-    var phi_3339_: u32;
-    var phi_3349_: u32;
-    var phi_3351_: u32;
-    var phi_3352_: bool;
-    var phi_3372_: u32;
-    var phi_3373_: u32;
-    var phi_3377_: type_51;
-    var phi_3721_: type_50;
-    var phi_3798_: type_50;
-    var phi_3799_: type_50;
-    var phi_3800_: u32;
-    var phi_3802_: type_50;
-    var phi_3803_: u32;
-    var phi_3804_: bool;
-    var phi_3813_: type_50;
-    var phi_3818_: type_50;
-    var phi_3819_: bool;
-    var phi_981_: type_39;
-    var phi_984_: type_8;
-    var phi_985_: type_8;
-    var phi_1007_: type_8;
-    var phi_1051_: u32;
-    var phi_1057_: u32;
-    var phi_1067_: u32;
-    var phi_1083_: u32;
-    var phi_1116_: u32;
-    var phi_1122_: u32;
-    var phi_1549_: u32;
-    var phi_1567_: u32;
-    var phi_1585_: u32;
-    var phi_1605_: u32;
-    var phi_1623_: u32;
-    var phi_1641_: u32;
-    var phi_1661_: u32;
-    var phi_1679_: u32;
-    var phi_1697_: u32;
-    var phi_1275_: u32;
-    var phi_1290_: u32;
-    var phi_1300_: u32;
-    var phi_1320_: u32;
-    var phi_1340_: u32;
-    var phi_1366_: u32;
-    var phi_1381_: u32;
-    var phi_1391_: u32;
-    var phi_1411_: u32;
-    var phi_1431_: u32;
-    var phi_1457_: u32;
-    var phi_1472_: u32;
-    var phi_1482_: u32;
-    var phi_1502_: u32;
-    var phi_1522_: u32;
-    var phi_1146_: u32;
-    var phi_1189_: u32;
-    var phi_1232_: u32;
-    var phi_1703_: array<array<f32, 3>, 3>;
-    var phi_1820_: bool;
-    var phi_1849_: bool;
-    var phi_2250_: f32;
-    var phi_2251_: f32;
-    var phi_2252_: f32;
-    var phi_2253_: f32;
-    var phi_2254_: vec3<f32>;
-    var phi_2255_: vec3<f32>;
-    var phi_2256_: vec3<f32>;
-    var phi_2257_: vec3<f32>;
-    var phi_2288_: bool;
-    var phi_2297_: vec3<f32>;
-    var phi_2462_: f32;
-    var phi_2464_: f32;
-    var phi_2465_: bool;
-    var phi_2485_: f32;
-    var phi_2486_: f32;
-    var phi_2509_: type_24;
-    var phi_2511_: type_24;
-    var phi_2512_: bool;
-    var phi_2516_: type_24;
-    var phi_2517_: type_24;
-    var phi_2518_: type_24;
-    var phi_2519_: bool;
-    var phi_2523_: type_24;
-    var phi_2524_: bool;
-    var phi_2525_: type_24;
-    var phi_2526_: bool;
-    var phi_2527_: bool;
-    var phi_2528_: type_24;
-    var phi_2529_: bool;
-    var phi_2530_: bool;
-    var phi_2538_: type_24;
-    var phi_2539_: bool;
-    var phi_2543_: type_24;
-    var phi_2568_: bool;
-    var phi_2569_: bool;
-    var phi_2576_: type_39;
-    var phi_2577_: type_39;
-    var phi_2578_: type_39;
-    var phi_982_: type_39;
-    var phi_4041_: bool;
-    var phi_4234_: bool;
-    var phi_3821_: type_39;
-    var phi_3822_: type_50;
-    var phi_3823_: bool;
-    var phi_3824_: u32;
-    var phi_4233_: bool;
-    var phi_3825_: type_39;
-    var phi_3826_: type_50;
-    var phi_3827_: u32;
-    var phi_3828_: bool;
-    var phi_3829_: u32;
-    var phi_4232_: bool;
-    var phi_3830_: type_39;
-    var phi_3831_: type_50;
-    var phi_3832_: u32;
-    var phi_3833_: bool;
-    var phi_3834_: u32;
-    var phi_4231_: bool;
-    var phi_855_: type_39;
-    var phi_858_: type_50;
-    var phi_860_: u32;
-    var phi_862_: bool;
-    var phi_864_: u32;
-    var phi_3835_: bool;
-    var phi_4230_: bool;
+    var phi_704_: f32;
+    var phi_715_: f32;
+    var phi_724_: f32;
+    var phi_730_: f32;
+    var phi_770_: f32;
+    var phi_776_: f32;
+    var phi_828_: f32;
+    var phi_839_: f32;
+    var phi_894_: i32;
+    var phi_916_: u32;
+    var phi_917_: u32;
+    var phi_954_: i32;
+    var phi_976_: u32;
+    var phi_977_: u32;
+    var phi_985_: f32;
+    var phi_986_: f32;
+    var phi_4295_: bool;
+    var phi_1076_: type_39;
+    var phi_1079_: type_50;
+    var phi_1081_: u32;
+    var phi_1083_: bool;
+    var phi_1085_: u32;
+    var phi_1096_: bool;
+    var phi_1182_: type_50;
+    var phi_1183_: bool;
+    var phi_1184_: u32;
+    var phi_3318_: u32;
+    var phi_3324_: u32;
+    var phi_3578_: u32;
+    var phi_3579_: u32;
+    var phi_3589_: u32;
+    var phi_3591_: u32;
+    var phi_3592_: bool;
+    var phi_3612_: u32;
+    var phi_3613_: u32;
+    var phi_3617_: type_51;
+    var phi_3961_: type_50;
+    var phi_4038_: type_50;
+    var phi_4039_: type_50;
+    var phi_4040_: u32;
+    var phi_4042_: type_50;
+    var phi_4043_: u32;
+    var phi_4044_: bool;
+    var phi_4053_: type_50;
+    var phi_4058_: type_50;
+    var phi_4059_: bool;
+    var phi_1203_: type_39;
+    var phi_1206_: type_8;
+    var phi_1207_: type_8;
+    var phi_1229_: type_8;
+    var phi_1273_: u32;
+    var phi_1279_: u32;
+    var phi_1289_: u32;
+    var phi_1305_: u32;
+    var phi_1338_: u32;
+    var phi_1344_: u32;
+    var phi_1789_: u32;
+    var phi_1807_: u32;
+    var phi_1825_: u32;
+    var phi_1845_: u32;
+    var phi_1863_: u32;
+    var phi_1881_: u32;
+    var phi_1901_: u32;
+    var phi_1919_: u32;
+    var phi_1937_: u32;
+    var phi_1506_: u32;
+    var phi_1521_: u32;
+    var phi_1531_: u32;
+    var phi_1552_: u32;
+    var phi_1573_: u32;
+    var phi_1600_: u32;
+    var phi_1615_: u32;
+    var phi_1625_: u32;
+    var phi_1646_: u32;
+    var phi_1667_: u32;
+    var phi_1694_: u32;
+    var phi_1709_: u32;
+    var phi_1719_: u32;
+    var phi_1740_: u32;
+    var phi_1761_: u32;
+    var phi_1368_: u32;
+    var phi_1414_: u32;
+    var phi_1460_: u32;
+    var phi_1943_: array<array<f32, 3>, 3>;
+    var phi_2060_: bool;
+    var phi_2089_: bool;
+    var phi_2490_: f32;
+    var phi_2491_: f32;
+    var phi_2492_: f32;
+    var phi_2493_: f32;
+    var phi_2494_: vec3<f32>;
+    var phi_2495_: vec3<f32>;
+    var phi_2496_: vec3<f32>;
+    var phi_2497_: vec3<f32>;
+    var phi_2528_: bool;
+    var phi_2537_: vec3<f32>;
+    var phi_2702_: f32;
+    var phi_2704_: f32;
+    var phi_2705_: bool;
+    var phi_2725_: f32;
+    var phi_2726_: f32;
+    var phi_2749_: type_24;
+    var phi_2751_: type_24;
+    var phi_2752_: bool;
+    var phi_2756_: type_24;
+    var phi_2757_: type_24;
+    var phi_2758_: type_24;
+    var phi_2759_: bool;
+    var phi_2763_: type_24;
+    var phi_2764_: bool;
+    var phi_2765_: type_24;
+    var phi_2766_: bool;
+    var phi_2767_: bool;
+    var phi_2768_: type_24;
+    var phi_2769_: bool;
+    var phi_2770_: bool;
+    var phi_2778_: type_24;
+    var phi_2779_: bool;
+    var phi_2783_: type_24;
+    var phi_2808_: bool;
+    var phi_2809_: bool;
+    var phi_2816_: type_39;
+    var phi_2817_: type_39;
+    var phi_2818_: type_39;
+    var phi_1204_: type_39;
+    var phi_4289_: bool;
+    var phi_4500_: bool;
+    var phi_4061_: type_39;
+    var phi_4062_: type_50;
+    var phi_4063_: bool;
+    var phi_4064_: u32;
+    var phi_4499_: bool;
+    var phi_4065_: type_39;
+    var phi_4066_: type_50;
+    var phi_4067_: u32;
+    var phi_4068_: bool;
+    var phi_4069_: u32;
+    var phi_4498_: bool;
+    var phi_4070_: type_39;
+    var phi_4071_: type_50;
+    var phi_4072_: u32;
+    var phi_4073_: bool;
+    var phi_4074_: u32;
+    var phi_4497_: bool;
+    var phi_1077_: type_39;
+    var phi_1080_: type_50;
+    var phi_1082_: u32;
+    var phi_1084_: bool;
+    var phi_1086_: u32;
+    var phi_4075_: bool;
+    var phi_4496_: bool;
     var local_10: type_39;
     var local_11: type_39;
     var local_12: type_39;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e88 = global;
-            let _e90 = arrayLength((&global_4.member));
-            let _e93 = arrayLength((&global_5.member));
-            let _e101 = global_2.member[0u][0u];
-            let _e105 = global_2.member[0u][1u];
-            let _e109 = global_2.member[0u][2u];
-            let _e113 = global_2.member[0u][3u];
-            let _e117 = global_2.member[1u][0u];
-            let _e121 = global_2.member[1u][1u];
-            let _e125 = global_2.member[1u][2u];
-            let _e128 = global_1.member[0u];
-            let _e129 = bitcast<i32>(_e128);
-            let _e141 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e113) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e101), bitcast<i32>(_e105), bitcast<i32>(_e109));
-            local = array<i32, 3>(bitcast<i32>(_e117), bitcast<i32>(_e121), bitcast<i32>(_e125));
-            let _e147 = (_e88.x + (_e88.y * 2097152u));
-            let _e148 = (_e147 < arrayLength((&global_3.member)));
-            if _e148 {
-                let _e149 = (_e147 < arrayLength((&global_6.member)));
-                if _e149 {
-                    if _e148 {
+            let _e91 = global;
+            let _e93 = arrayLength((&global_4.member));
+            let _e96 = arrayLength((&global_5.member));
+            let _e104 = global_2.member[0u][0u];
+            let _e108 = global_2.member[0u][1u];
+            let _e112 = global_2.member[0u][2u];
+            let _e116 = global_2.member[0u][3u];
+            let _e120 = global_2.member[1u][0u];
+            let _e124 = global_2.member[1u][1u];
+            let _e128 = global_2.member[1u][2u];
+            let _e131 = global_1.member[0u];
+            let _e132 = bitcast<i32>(_e131);
+            let _e144 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e116) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e104), bitcast<i32>(_e108), bitcast<i32>(_e112));
+            local = array<i32, 3>(bitcast<i32>(_e120), bitcast<i32>(_e124), bitcast<i32>(_e128));
+            let _e150 = (_e91.x + (_e91.y * 2097152u));
+            let _e151 = (_e150 < arrayLength((&global_3.member)));
+            if _e151 {
+                let _e152 = (_e150 < arrayLength((&global_6.member)));
+                if _e152 {
+                    if _e151 {
                     } else {
                         break;
                     }
-                    let _e157 = global_3.member[_e147].member_2[0u];
-                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
-                    let _e164 = global_3.member[_e147].member_2[1u];
-                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
-                    let _e171 = global_3.member[_e147].member_2[2u];
-                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
-                    let _e178 = global_3.member[_e147].member[0u];
-                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
-                    let _e185 = global_3.member[_e147].member[1u];
-                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
-                    let _e192 = global_3.member[_e147].member[2u];
-                    let _e194 = (bitcast<u32>(_e192) & 2147483647u);
-                    let _e196 = select(_e166, _e159, (_e166 < _e159));
-                    let _e198 = select(_e173, _e196, (_e173 < _e196));
-                    let _e200 = select(_e180, _e198, (_e180 < _e198));
-                    let _e202 = select(_e187, _e200, (_e187 < _e200));
-                    let _e204 = select(_e194, _e202, (_e194 < _e202));
-                    let _e208 = global_3.member[_e147].member_1;
-                    let _e210 = (bitcast<u32>(_e208) & 2147483647u);
-                    let _e217 = global_3.member[_e147].member_3;
-                    let _e223 = (((select(_e210, _e204, (_e210 < _e204)) < 2139095040u) && ((bitcast<u32>(_e217) & 2147483647u) <= 2139095040u)) && (_e198 > 0u));
-                    if _e223 {
-                        let _e226 = (bitcast<u32>(bitcast<f32>(_e198)) & 2147483647u);
-                        if (_e226 >= 8388608u) {
-                            phi_395_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
+                    let _e160 = global_3.member[_e150].member_2[0u];
+                    let _e162 = (bitcast<u32>(_e160) & 2147483647u);
+                    let _e167 = global_3.member[_e150].member_2[1u];
+                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
+                    let _e174 = global_3.member[_e150].member_2[2u];
+                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
+                    let _e181 = global_3.member[_e150].member[0u];
+                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
+                    let _e188 = global_3.member[_e150].member[1u];
+                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
+                    let _e195 = global_3.member[_e150].member[2u];
+                    let _e197 = (bitcast<u32>(_e195) & 2147483647u);
+                    let _e199 = select(_e169, _e162, (_e169 < _e162));
+                    let _e201 = select(_e176, _e199, (_e176 < _e199));
+                    let _e203 = select(_e183, _e201, (_e183 < _e201));
+                    let _e205 = select(_e190, _e203, (_e190 < _e203));
+                    let _e207 = select(_e197, _e205, (_e197 < _e205));
+                    let _e211 = global_3.member[_e150].member_1;
+                    let _e212 = bitcast<u32>(_e211);
+                    let _e213 = (_e212 & 2147483647u);
+                    let _e220 = global_3.member[_e150].member_3;
+                    let _e221 = bitcast<u32>(_e220);
+                    let _e222 = (_e221 & 2147483647u);
+                    let _e226 = (((select(_e213, _e207, (_e213 < _e207)) < 2139095040u) && (_e222 <= 2139095040u)) && (_e201 > 0u));
+                    if _e226 {
+                        let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
+                        if (_e229 >= 8388608u) {
+                            phi_397_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_395_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
+                            phi_397_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
                         }
-                        let _e240 = phi_395_;
-                        phi_396_ = _e240;
+                        let _e243 = phi_397_;
+                        phi_398_ = _e243;
                     } else {
-                        phi_396_ = 0i;
+                        phi_398_ = 0i;
                     }
-                    let _e242 = phi_396_;
-                    let _e243 = (_e159 == _e198);
-                    if _e243 {
-                        phi_406_ = true;
-                    } else {
-                        phi_406_ = (_e166 == _e198);
-                    }
-                    let _e246 = phi_406_;
-                    let _e247 = select(1u, 0u, _e243);
+                    let _e245 = phi_398_;
+                    let _e246 = (_e162 == _e201);
                     if _e246 {
-                        let _e248 = (_e247 + 1u);
-                        phi_416_ = _e248;
-                        phi_417_ = _e248;
-                        phi_419_ = select(true, false, (_e248 == 2u));
+                        phi_408_ = true;
                     } else {
-                        phi_416_ = u32();
-                        phi_417_ = 0u;
-                        phi_419_ = true;
+                        phi_408_ = (_e169 == _e201);
                     }
-                    let _e252 = phi_416_;
-                    let _e254 = phi_417_;
-                    let _e256 = phi_419_;
-                    if _e256 {
-                        phi_424_ = (_e254 + 1u);
+                    let _e249 = phi_408_;
+                    let _e250 = select(1u, 0u, _e246);
+                    if _e249 {
+                        let _e251 = (_e250 + 1u);
+                        phi_418_ = _e251;
+                        phi_419_ = _e251;
+                        phi_421_ = select(true, false, (_e251 == 2u));
                     } else {
-                        phi_424_ = 0u;
+                        phi_418_ = u32();
+                        phi_419_ = 0u;
+                        phi_421_ = true;
                     }
-                    let _e260 = phi_424_;
-                    let _e261 = select(_e252, _e254, _e256);
-                    let _e262 = select(_e247, select(2u, _e247, _e246), _e256);
-                    if (_e129 < -126i) {
-                        phi_436_ = -126i;
+                    let _e255 = phi_418_;
+                    let _e257 = phi_419_;
+                    let _e259 = phi_421_;
+                    if _e259 {
+                        phi_426_ = (_e257 + 1u);
                     } else {
-                        phi_436_ = select(_e129, 127i, (_e129 > 127i));
+                        phi_426_ = 0u;
                     }
-                    let _e267 = phi_436_;
-                    let _e272 = bitcast<f32>((bitcast<u32>((_e267 + 127i)) << bitcast<u32>(23i)));
-                    let _e278 = bitcast<f32>((bitcast<u32>(((_e129 - _e267) + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = -(_e242);
-                    if (_e279 < -126i) {
-                        phi_456_ = -126i;
+                    let _e263 = phi_426_;
+                    let _e264 = select(_e255, _e257, _e259);
+                    let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
+                    if (_e132 < -126i) {
+                        phi_438_ = -126i;
                     } else {
-                        phi_456_ = select(_e279, 127i, (_e279 > 127i));
+                        phi_438_ = select(_e132, 127i, (_e132 > 127i));
                     }
-                    let _e284 = phi_456_;
-                    let _e289 = bitcast<f32>((bitcast<u32>((_e284 + 127i)) << bitcast<u32>(23i)));
-                    let _e295 = bitcast<f32>((bitcast<u32>(((_e279 - _e284) + 127i)) << bitcast<u32>(23i)));
-                    let _e299 = global_3.member[_e147].member;
-                    let _e300 = (_e261 == 0u);
-                    if _e300 {
-                        phi_474_ = _e299[0];
+                    let _e270 = phi_438_;
+                    let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
+                    let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
+                    let _e282 = -(_e245);
+                    if (_e282 < -126i) {
+                        phi_458_ = -126i;
                     } else {
-                        phi_474_ = _e299[1];
+                        phi_458_ = select(_e282, 127i, (_e282 > 127i));
                     }
-                    let _e304 = phi_474_;
-                    let _e305 = (_e261 == 2u);
-                    if _e305 {
-                        phi_480_ = _e299[2];
+                    let _e287 = phi_458_;
+                    let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
+                    let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
+                    let _e302 = global_3.member[_e150].member;
+                    let _e303 = (_e264 == 0u);
+                    if _e303 {
+                        phi_476_ = _e302[0];
                     } else {
-                        phi_480_ = _e304;
+                        phi_476_ = _e302[1];
                     }
-                    let _e308 = phi_480_;
-                    let _e310 = ((_e308 * _e272) * _e278);
-                    let _e311 = global_3.member[_e147].member_2;
-                    if _e300 {
-                        phi_491_ = _e311[0];
+                    let _e307 = phi_476_;
+                    let _e308 = (_e264 == 2u);
+                    if _e308 {
+                        phi_482_ = _e302[2];
                     } else {
-                        phi_491_ = _e311[1];
+                        phi_482_ = _e307;
                     }
-                    let _e315 = phi_491_;
-                    if _e305 {
-                        phi_497_ = _e311[2];
+                    let _e311 = phi_482_;
+                    let _e312 = bitcast<u32>(_e311);
+                    let _e314 = ((_e312 & 2139095040u) != 0u);
+                    let _e328 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e312 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e312 & 2147483648u))), _e311, _e314) * _e275) * select(0.00000011920929f, 1f, _e314)) * _e281);
+                    let _e329 = global_3.member[_e150].member_2;
+                    if _e303 {
+                        phi_522_ = _e329[0];
                     } else {
-                        phi_497_ = _e315;
+                        phi_522_ = _e329[1];
                     }
-                    let _e318 = phi_497_;
-                    let _e320 = ((_e318 * _e289) * _e295);
-                    let _e324 = (bitcast<f32>((bitcast<u32>(_e320) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e324 {
-                        let _e328 = (bitcast<f32>((bitcast<u32>(_e310) & 2147483647u)) * 0.00000011920929f);
-                        phi_520_ = select(0.00000000000011368684f, _e328, (_e328 > 0.00000000000011368684f));
+                    let _e333 = phi_522_;
+                    if _e308 {
+                        phi_528_ = _e329[2];
                     } else {
-                        phi_520_ = 0f;
+                        phi_528_ = _e333;
                     }
-                    let _e332 = phi_520_;
-                    let _e333 = (_e310 + _e332);
-                    let _e334 = (_e310 - _e332);
-                    let _e335 = select(_e320, 0f, _e324);
-                    if _e324 {
-                        phi_531_ = 38685626000000000000000000f;
+                    let _e336 = phi_528_;
+                    let _e337 = bitcast<u32>(_e336);
+                    let _e339 = ((_e337 & 2139095040u) != 0u);
+                    let _e353 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e336, _e339) * _e292) * select(0.00000011920929f, 1f, _e339)) * _e298);
+                    let _e357 = (bitcast<f32>((bitcast<u32>(_e353) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e357 {
+                        let _e361 = (bitcast<f32>((bitcast<u32>(_e328) & 2147483647u)) * 0.00000011920929f);
+                        phi_580_ = select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f));
                     } else {
-                        phi_531_ = (1f / _e320);
+                        phi_580_ = 0f;
                     }
-                    let _e338 = phi_531_;
-                    let _e339 = (_e260 == 0u);
-                    if _e339 {
-                        phi_540_ = _e299[0];
+                    let _e365 = phi_580_;
+                    let _e366 = (_e328 + _e365);
+                    let _e367 = (_e328 - _e365);
+                    let _e368 = select(_e353, 0f, _e357);
+                    if _e357 {
+                        phi_591_ = 38685626000000000000000000f;
                     } else {
-                        phi_540_ = _e299[1];
+                        phi_591_ = (1f / _e353);
                     }
-                    let _e343 = phi_540_;
-                    let _e344 = (_e260 == 2u);
-                    if _e344 {
-                        phi_546_ = _e299[2];
+                    let _e371 = phi_591_;
+                    let _e372 = (_e263 == 0u);
+                    if _e372 {
+                        phi_600_ = _e302[0];
                     } else {
-                        phi_546_ = _e343;
+                        phi_600_ = _e302[1];
                     }
-                    let _e347 = phi_546_;
-                    let _e349 = ((_e347 * _e272) * _e278);
-                    if _e339 {
-                        phi_557_ = _e311[0];
-                    } else {
-                        phi_557_ = _e311[1];
-                    }
-                    let _e353 = phi_557_;
-                    if _e344 {
-                        phi_563_ = _e311[2];
-                    } else {
-                        phi_563_ = _e353;
-                    }
-                    let _e356 = phi_563_;
-                    let _e358 = ((_e356 * _e289) * _e295);
-                    let _e362 = (bitcast<f32>((bitcast<u32>(_e358) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e362 {
-                        let _e366 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) * 0.00000011920929f);
-                        phi_586_ = select(0.00000000000011368684f, _e366, (_e366 > 0.00000000000011368684f));
-                    } else {
-                        phi_586_ = 0f;
-                    }
-                    let _e370 = phi_586_;
-                    let _e371 = (_e349 + _e370);
-                    let _e372 = (_e349 - _e370);
-                    let _e373 = select(_e358, 0f, _e362);
-                    if _e362 {
-                        phi_597_ = 38685626000000000000000000f;
-                    } else {
-                        phi_597_ = (1f / _e358);
-                    }
-                    let _e376 = phi_597_;
-                    let _e377 = (_e262 == 0u);
+                    let _e376 = phi_600_;
+                    let _e377 = (_e263 == 2u);
                     if _e377 {
-                        phi_606_ = _e299[0];
+                        phi_606_ = _e302[2];
                     } else {
-                        phi_606_ = _e299[1];
+                        phi_606_ = _e376;
                     }
-                    let _e381 = phi_606_;
-                    let _e382 = (_e262 == 2u);
-                    if _e382 {
-                        phi_612_ = _e299[2];
+                    let _e380 = phi_606_;
+                    let _e381 = bitcast<u32>(_e380);
+                    let _e383 = ((_e381 & 2139095040u) != 0u);
+                    let _e397 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e381 & 2147483648u))), _e380, _e383) * _e275) * select(0.00000011920929f, 1f, _e383)) * _e281);
+                    if _e372 {
+                        phi_646_ = _e329[0];
                     } else {
-                        phi_612_ = _e381;
+                        phi_646_ = _e329[1];
                     }
-                    let _e385 = phi_612_;
-                    let _e387 = ((_e385 * _e272) * _e278);
+                    let _e401 = phi_646_;
                     if _e377 {
-                        phi_623_ = _e311[0];
+                        phi_652_ = _e329[2];
                     } else {
-                        phi_623_ = _e311[1];
+                        phi_652_ = _e401;
                     }
-                    let _e391 = phi_623_;
-                    if _e382 {
-                        phi_629_ = _e311[2];
+                    let _e404 = phi_652_;
+                    let _e405 = bitcast<u32>(_e404);
+                    let _e407 = ((_e405 & 2139095040u) != 0u);
+                    let _e421 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e405 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e405 & 2147483648u))), _e404, _e407) * _e292) * select(0.00000011920929f, 1f, _e407)) * _e298);
+                    let _e425 = (bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e425 {
+                        let _e429 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
+                        phi_704_ = select(0.00000000000011368684f, _e429, (_e429 > 0.00000000000011368684f));
                     } else {
-                        phi_629_ = _e391;
+                        phi_704_ = 0f;
                     }
-                    let _e394 = phi_629_;
-                    let _e396 = ((_e394 * _e289) * _e295);
-                    let _e400 = (bitcast<f32>((bitcast<u32>(_e396) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e400 {
-                        let _e404 = (bitcast<f32>((bitcast<u32>(_e387) & 2147483647u)) * 0.00000011920929f);
-                        phi_652_ = select(0.00000000000011368684f, _e404, (_e404 > 0.00000000000011368684f));
+                    let _e433 = phi_704_;
+                    let _e434 = (_e397 + _e433);
+                    let _e435 = (_e397 - _e433);
+                    let _e436 = select(_e421, 0f, _e425);
+                    if _e425 {
+                        phi_715_ = 38685626000000000000000000f;
                     } else {
-                        phi_652_ = 0f;
+                        phi_715_ = (1f / _e421);
                     }
-                    let _e408 = phi_652_;
-                    let _e409 = (_e387 + _e408);
-                    let _e410 = (_e387 - _e408);
-                    let _e411 = select(_e396, 0f, _e400);
-                    if _e400 {
-                        phi_663_ = 38685626000000000000000000f;
+                    let _e439 = phi_715_;
+                    let _e440 = (_e265 == 0u);
+                    if _e440 {
+                        phi_724_ = _e302[0];
                     } else {
-                        phi_663_ = (1f / _e396);
+                        phi_724_ = _e302[1];
                     }
-                    let _e414 = phi_663_;
-                    let _e417 = bitcast<f32>((bitcast<u32>(_e310) & 2147483647u));
-                    let _e420 = bitcast<f32>((bitcast<u32>(_e349) & 2147483647u));
-                    let _e422 = select(_e420, _e417, (_e417 > _e420));
-                    let _e425 = bitcast<f32>((bitcast<u32>(_e387) & 2147483647u));
-                    let _e428 = (_e129 + _e242);
-                    if (_e223 && (select(_e425, _e422, (_e422 > _e425)) <= 1099511600000f)) {
-                        let _e431 = (_e428 / 3i);
-                        let _e438 = bitcast<f32>((bitcast<u32>((_e431 + 127i)) << bitcast<u32>(23i)));
-                        let _e445 = bitcast<f32>((bitcast<u32>(((_e428 - (2i * _e431)) + 127i)) << bitcast<u32>(23i)));
-                        let _e446 = (((_e208 * _e438) * _e438) * _e445);
-                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
-                        let _e453 = (((_e217 * _e438) * _e438) * _e445);
-                        let _e455 = select(340282350000000000000000000000000000000f, _e453, (_e453 < 340282350000000000000000000000000000000f));
-                        phi_763_ = select(-340282350000000000000000000000000000000f, _e455, (_e455 > -340282350000000000000000000000000000000f));
-                        phi_764_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
+                    let _e444 = phi_724_;
+                    let _e445 = (_e265 == 2u);
+                    if _e445 {
+                        phi_730_ = _e302[2];
                     } else {
-                        phi_763_ = 0f;
-                        phi_764_ = 1f;
+                        phi_730_ = _e444;
                     }
-                    let _e459 = phi_763_;
-                    let _e461 = phi_764_;
+                    let _e448 = phi_730_;
+                    let _e449 = bitcast<u32>(_e448);
+                    let _e451 = ((_e449 & 2139095040u) != 0u);
+                    let _e465 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e449 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e449 & 2147483648u))), _e448, _e451) * _e275) * select(0.00000011920929f, 1f, _e451)) * _e281);
+                    if _e440 {
+                        phi_770_ = _e329[0];
+                    } else {
+                        phi_770_ = _e329[1];
+                    }
+                    let _e469 = phi_770_;
+                    if _e445 {
+                        phi_776_ = _e329[2];
+                    } else {
+                        phi_776_ = _e469;
+                    }
+                    let _e472 = phi_776_;
+                    let _e473 = bitcast<u32>(_e472);
+                    let _e475 = ((_e473 & 2139095040u) != 0u);
+                    let _e489 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e473 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e473 & 2147483648u))), _e472, _e475) * _e292) * select(0.00000011920929f, 1f, _e475)) * _e298);
+                    let _e493 = (bitcast<f32>((bitcast<u32>(_e489) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e493 {
+                        let _e497 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) * 0.00000011920929f);
+                        phi_828_ = select(0.00000000000011368684f, _e497, (_e497 > 0.00000000000011368684f));
+                    } else {
+                        phi_828_ = 0f;
+                    }
+                    let _e501 = phi_828_;
+                    let _e502 = (_e465 + _e501);
+                    let _e503 = (_e465 - _e501);
+                    let _e504 = select(_e489, 0f, _e493);
+                    if _e493 {
+                        phi_839_ = 38685626000000000000000000f;
+                    } else {
+                        phi_839_ = (1f / _e489);
+                    }
+                    let _e507 = phi_839_;
+                    let _e510 = bitcast<f32>((bitcast<u32>(_e328) & 2147483647u));
+                    let _e513 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
+                    let _e515 = select(_e513, _e510, (_e510 > _e513));
+                    let _e518 = bitcast<f32>((bitcast<u32>(_e465) & 2147483647u));
+                    let _e521 = (_e132 + _e245);
+                    if (_e226 && (select(_e518, _e515, (_e515 > _e518)) <= 1099511600000f)) {
+                        let _e531 = ((_e213 & 8388607u) | (select(0u, 1u, ((_e213 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e534 = bitcast<i32>((_e213 >> bitcast<u32>(23i)));
+                        let _e538 = (_e531 == 0u);
+                        let _e541 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e531)), 32u, _e538)) - 8i);
+                        if (_e534 == 255i) {
+                            phi_894_ = 255i;
+                        } else {
+                            phi_894_ = (((_e534 + select(0i, 1i, (_e534 == 0i))) - _e541) + _e521);
+                        }
+                        let _e549 = phi_894_;
+                        let _e559 = (_e549 <= 0i);
+                        if _e559 {
+                            phi_917_ = u32();
+                        } else {
+                            if _e538 {
+                                phi_916_ = u32();
+                            } else {
+                                phi_916_ = select(((bitcast<u32>(_e549) << bitcast<u32>(23i)) | ((_e531 << bitcast<u32>(((_e541 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e549 >= 255i));
+                            }
+                            let _e563 = phi_916_;
+                            phi_917_ = _e563;
+                        }
+                        let _e565 = phi_917_;
+                        let _e577 = ((_e222 & 8388607u) | (select(0u, 1u, ((_e222 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e580 = bitcast<i32>((_e222 >> bitcast<u32>(23i)));
+                        let _e584 = (_e577 == 0u);
+                        let _e587 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e577)), 32u, _e584)) - 8i);
+                        if (_e580 == 255i) {
+                            phi_954_ = 255i;
+                        } else {
+                            phi_954_ = (((_e580 + select(0i, 1i, (_e580 == 0i))) - _e587) + _e521);
+                        }
+                        let _e595 = phi_954_;
+                        let _e605 = (_e595 <= 0i);
+                        if _e605 {
+                            phi_977_ = u32();
+                        } else {
+                            if _e584 {
+                                phi_976_ = u32();
+                            } else {
+                                phi_976_ = select(((bitcast<u32>(_e595) << bitcast<u32>(23i)) | ((_e577 << bitcast<u32>(((_e587 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e595 >= 255i));
+                            }
+                            let _e609 = phi_976_;
+                            phi_977_ = _e609;
+                        }
+                        let _e611 = phi_977_;
+                        phi_985_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e611, 0u, select(_e584, true, _e605))));
+                        phi_986_ = bitcast<f32>(((_e212 & 2147483648u) | select(_e565, 0u, select(_e538, true, _e559))));
+                    } else {
+                        phi_985_ = 0f;
+                        phi_986_ = 1f;
+                    }
+                    let _e617 = phi_985_;
+                    let _e619 = phi_986_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -533,1319 +593,1319 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e466 = (_e261 % 3u);
-                    let _e467 = (_e466 < 3u);
-                    if _e467 {
+                    let _e624 = (_e264 % 3u);
+                    let _e625 = (_e624 < 3u);
+                    if _e625 {
                     } else {
                         break;
                     }
-                    let _e469 = local_1[_e466];
-                    let _e472 = (_e260 % 3u);
-                    let _e473 = (_e472 < 3u);
-                    if _e473 {
+                    let _e627 = local_1[_e624];
+                    let _e630 = (_e263 % 3u);
+                    let _e631 = (_e630 < 3u);
+                    if _e631 {
                     } else {
                         break;
                     }
-                    let _e475 = local_1[_e472];
-                    let _e478 = (_e262 % 3u);
-                    let _e479 = (_e478 < 3u);
-                    if _e479 {
+                    let _e633 = local_1[_e630];
+                    let _e636 = (_e265 % 3u);
+                    let _e637 = (_e636 < 3u);
+                    if _e637 {
                     } else {
                         break;
                     }
-                    let _e481 = local_1[_e478];
-                    if _e467 {
+                    let _e639 = local_1[_e636];
+                    if _e625 {
                     } else {
                         break;
                     }
-                    let _e486 = local[_e466];
-                    if _e473 {
+                    let _e644 = local[_e624];
+                    if _e631 {
                     } else {
                         break;
                     }
-                    let _e490 = local[_e472];
-                    if _e479 {
+                    let _e648 = local[_e630];
+                    if _e637 {
                     } else {
                         break;
                     }
-                    let _e494 = local[_e478];
-                    phi_4047_ = false;
-                    phi_854_ = type_39(type_32(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e459), 0u, 0u);
-                    phi_857_ = type_50(type_28(vec4<f32>((f32(_e469) * _e141), (f32(_e475) * _e141), (f32(_e481) * _e141), 0f), vec4<f32>((f32(_e486) * _e141), (f32(_e490) * _e141), (f32(_e494) * _e141), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
-                    phi_859_ = ((3u * _e90) + 1u);
-                    phi_861_ = (_e461 <= _e459);
-                    phi_863_ = 0u;
+                    let _e652 = local[_e636];
+                    phi_4295_ = false;
+                    phi_1076_ = type_39(type_32(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e617), 0u, 0u);
+                    phi_1079_ = type_50(type_28(vec4<f32>((f32(_e627) * _e144), (f32(_e633) * _e144), (f32(_e639) * _e144), 0f), vec4<f32>((f32(_e644) * _e144), (f32(_e648) * _e144), (f32(_e652) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
+                    phi_1081_ = ((3u * _e93) + 1u);
+                    phi_1083_ = (_e619 <= _e617);
+                    phi_1085_ = 0u;
                     loop {
-                        let _e504 = phi_4047_;
-                        let _e506 = phi_854_;
-                        let _e508 = phi_857_;
-                        let _e510 = phi_859_;
-                        let _e512 = phi_861_;
-                        let _e514 = phi_863_;
-                        local_10 = _e506;
-                        local_11 = _e506;
-                        if _e512 {
-                            phi_874_ = true;
+                        let _e662 = phi_4295_;
+                        let _e664 = phi_1076_;
+                        let _e666 = phi_1079_;
+                        let _e668 = phi_1081_;
+                        let _e670 = phi_1083_;
+                        let _e672 = phi_1085_;
+                        local_10 = _e664;
+                        local_11 = _e664;
+                        if _e670 {
+                            phi_1096_ = true;
                         } else {
-                            phi_874_ = (_e514 > 0u);
+                            phi_1096_ = (_e672 > 0u);
                         }
-                        let _e517 = phi_874_;
-                        if _e517 {
-                            let _e518 = (_e510 > 0u);
-                            if _e518 {
-                                if _e512 {
-                                    phi_960_ = _e508;
-                                    phi_961_ = _e512;
-                                    phi_962_ = _e514;
+                        let _e675 = phi_1096_;
+                        if _e675 {
+                            let _e676 = (_e668 > 0u);
+                            if _e676 {
+                                if _e670 {
+                                    phi_1182_ = _e666;
+                                    phi_1183_ = _e670;
+                                    phi_1184_ = _e672;
                                 } else {
-                                    let _e519 = (_e514 - 1u);
-                                    let _e520 = (_e519 % 128u);
-                                    let _e521 = (_e520 < 128u);
-                                    if _e521 {
+                                    let _e677 = (_e672 - 1u);
+                                    let _e678 = (_e677 % 128u);
+                                    let _e679 = (_e678 < 128u);
+                                    if _e679 {
                                     } else {
-                                        phi_4230_ = true;
+                                        phi_4496_ = true;
                                         break;
                                     }
-                                    let _e523 = local_7[_e520];
-                                    if _e521 {
+                                    let _e681 = local_7[_e678];
+                                    if _e679 {
                                     } else {
-                                        phi_4230_ = true;
+                                        phi_4496_ = true;
                                         break;
                                     }
-                                    let _e525 = local_6[_e520];
-                                    if _e521 {
+                                    let _e683 = local_6[_e678];
+                                    if _e679 {
                                     } else {
-                                        phi_4230_ = true;
+                                        phi_4496_ = true;
                                         break;
                                     }
-                                    let _e527 = local_5[_e520];
-                                    if _e521 {
+                                    let _e685 = local_5[_e678];
+                                    if _e679 {
                                     } else {
-                                        phi_4230_ = true;
+                                        phi_4496_ = true;
                                         break;
                                     }
-                                    let _e529 = local_4[_e520];
-                                    if _e521 {
+                                    let _e687 = local_4[_e678];
+                                    if _e679 {
                                     } else {
-                                        phi_4230_ = true;
+                                        phi_4496_ = true;
                                         break;
                                     }
-                                    let _e531 = local_3[_e520];
-                                    if _e521 {
+                                    let _e689 = local_3[_e678];
+                                    if _e679 {
                                     } else {
-                                        phi_4230_ = true;
+                                        phi_4496_ = true;
                                         break;
                                     }
-                                    let _e533 = local_2[_e520];
-                                    if _e521 {
+                                    let _e691 = local_2[_e678];
+                                    if _e679 {
                                     } else {
-                                        phi_4230_ = true;
+                                        phi_4496_ = true;
                                         break;
                                     }
-                                    let _e538 = local_8[_e520];
-                                    if _e521 {
+                                    let _e696 = local_8[_e678];
+                                    if _e679 {
                                     } else {
-                                        phi_4230_ = true;
+                                        phi_4496_ = true;
                                         break;
                                     }
-                                    let _e541 = local_9[_e520];
-                                    phi_960_ = type_50(type_28(vec4<f32>(_e523, _e525, _e527, 0f), vec4<f32>(_e529, _e531, _e533, 0f)), _e538);
-                                    phi_961_ = (_e541 <= _e506.member.member_1);
-                                    phi_962_ = _e519;
+                                    let _e699 = local_9[_e678];
+                                    phi_1182_ = type_50(type_28(vec4<f32>(_e681, _e683, _e685, 0f), vec4<f32>(_e687, _e689, _e691, 0f)), _e696);
+                                    phi_1183_ = (_e699 <= _e664.member.member_1);
+                                    phi_1184_ = _e677;
                                 }
-                                let _e546 = phi_960_;
-                                let _e548 = phi_961_;
-                                let _e550 = phi_962_;
-                                if _e548 {
-                                    let _e555 = (_e546.member_1 & 268435455u);
-                                    if ((_e546.member_1 & 2147483648u) != 0u) {
-                                        phi_981_ = _e506;
-                                        phi_984_ = type_8(0u, ((_e546.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e704 = phi_1182_;
+                                let _e706 = phi_1183_;
+                                let _e708 = phi_1184_;
+                                if _e706 {
+                                    let _e713 = (_e704.member_1 & 268435455u);
+                                    if ((_e704.member_1 & 2147483648u) != 0u) {
+                                        phi_1203_ = _e664;
+                                        phi_1206_ = type_8(0u, ((_e704.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1040 = phi_981_;
-                                            let _e1042 = phi_984_;
-                                            local_12 = _e1040;
-                                            if (_e1042.member < _e1042.member_1) {
-                                                phi_985_ = type_8((_e1042.member + 1u), _e1042.member_1);
-                                                phi_1007_ = type_8(1u, _e1042.member);
+                                            let _e1204 = phi_1203_;
+                                            let _e1206 = phi_1206_;
+                                            local_12 = _e1204;
+                                            if (_e1206.member < _e1206.member_1) {
+                                                phi_1207_ = type_8((_e1206.member + 1u), _e1206.member_1);
+                                                phi_1229_ = type_8(1u, _e1206.member);
                                             } else {
-                                                phi_985_ = _e1042;
-                                                phi_1007_ = type_8(0u, type_8().member_1);
+                                                phi_1207_ = _e1206;
+                                                phi_1229_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1055 = phi_985_;
-                                            let _e1057 = phi_1007_;
-                                            let _e1061 = (bitcast<i32>(_e1057.member) != 0i);
-                                            if _e1061 {
-                                                let _e1067 = type_39(_e1040.member, _e1040.member_1, (_e1040.member_2 + 1u));
-                                                let _e1072 = (_e546.member.member_1.x - _e546.member.member.x);
-                                                let _e1075 = (_e546.member.member_1.y - _e546.member.member.y);
-                                                let _e1078 = (_e546.member.member_1.z - _e546.member.member.z);
-                                                let _e1080 = select(_e1075, _e1072, (_e1072 > _e1075));
-                                                let _e1082 = select(_e1078, _e1080, (_e1080 > _e1078));
-                                                let _e1084 = (_e1082 < (1024f * _e141));
-                                                if _e1084 {
-                                                    phi_1051_ = 0u;
+                                            let _e1219 = phi_1207_;
+                                            let _e1221 = phi_1229_;
+                                            let _e1225 = (bitcast<i32>(_e1221.member) != 0i);
+                                            if _e1225 {
+                                                let _e1231 = type_39(_e1204.member, _e1204.member_1, (_e1204.member_2 + 1u));
+                                                let _e1236 = (_e704.member.member_1.x - _e704.member.member.x);
+                                                let _e1239 = (_e704.member.member_1.y - _e704.member.member.y);
+                                                let _e1242 = (_e704.member.member_1.z - _e704.member.member.z);
+                                                let _e1244 = select(_e1239, _e1236, (_e1236 > _e1239));
+                                                let _e1246 = select(_e1242, _e1244, (_e1244 > _e1242));
+                                                let _e1248 = (_e1246 < (1024f * _e144));
+                                                if _e1248 {
+                                                    phi_1273_ = 0u;
                                                 } else {
-                                                    phi_1051_ = select(2u, 1u, (_e1082 < (2097152f * _e141)));
+                                                    phi_1273_ = select(2u, 1u, (_e1246 < (2097152f * _e144)));
                                                 }
-                                                let _e1089 = phi_1051_;
-                                                switch bitcast<i32>(_e1089) {
+                                                let _e1253 = phi_1273_;
+                                                switch bitcast<i32>(_e1253) {
                                                     case 0: {
-                                                        phi_1057_ = 1u;
+                                                        phi_1279_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1057_ = 2u;
+                                                        phi_1279_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1057_ = 3u;
+                                                        phi_1279_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1057_ = u32();
+                                                        phi_1279_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1092 = phi_1057_;
-                                                switch bitcast<i32>(_e1089) {
+                                                let _e1256 = phi_1279_;
+                                                switch bitcast<i32>(_e1253) {
                                                     case 0: {
-                                                        phi_1067_ = 1u;
+                                                        phi_1289_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1067_ = 2u;
+                                                        phi_1289_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1067_ = 3u;
+                                                        phi_1289_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1067_ = u32();
+                                                        phi_1289_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1099 = phi_1067_;
-                                                let _e1101 = ((_e555 + (_e1057.member_1 * ((3u * _e1092) + 1u))) + (3u * _e1099));
-                                                let _e1102 = (_e1101 < _e93);
-                                                if _e1102 {
-                                                    if _e1102 {
+                                                let _e1263 = phi_1289_;
+                                                let _e1265 = ((_e713 + (_e1221.member_1 * ((3u * _e1256) + 1u))) + (3u * _e1263));
+                                                let _e1266 = (_e1265 < _e96);
+                                                if _e1266 {
+                                                    if _e1266 {
                                                     } else {
-                                                        phi_4041_ = true;
+                                                        phi_4289_ = true;
                                                         break;
                                                     }
-                                                    let _e1104 = global_5.member[_e1101];
-                                                    phi_1083_ = _e1104;
+                                                    let _e1268 = global_5.member[_e1265];
+                                                    phi_1305_ = _e1268;
                                                 } else {
-                                                    phi_1083_ = 4294967295u;
+                                                    phi_1305_ = 4294967295u;
                                                 }
-                                                let _e1106 = phi_1083_;
-                                                if _e1084 {
-                                                    phi_1116_ = 0u;
+                                                let _e1270 = phi_1305_;
+                                                if _e1248 {
+                                                    phi_1338_ = 0u;
                                                 } else {
-                                                    phi_1116_ = select(2u, 1u, (_e1082 < (2097152f * _e141)));
+                                                    phi_1338_ = select(2u, 1u, (_e1246 < (2097152f * _e144)));
                                                 }
-                                                let _e1111 = phi_1116_;
-                                                switch bitcast<i32>(_e1111) {
+                                                let _e1275 = phi_1338_;
+                                                switch bitcast<i32>(_e1275) {
                                                     case 0: {
-                                                        phi_1122_ = 1u;
+                                                        phi_1344_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1122_ = 2u;
+                                                        phi_1344_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1122_ = 3u;
+                                                        phi_1344_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1122_ = u32();
+                                                        phi_1344_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1114 = phi_1122_;
-                                                let _e1118 = (_e555 + (_e1057.member_1 * ((3u * _e1114) + 1u)));
-                                                switch bitcast<i32>(_e1111) {
+                                                let _e1278 = phi_1344_;
+                                                let _e1282 = (_e713 + (_e1221.member_1 * ((3u * _e1278) + 1u)));
+                                                switch bitcast<i32>(_e1275) {
                                                     case 0: {
-                                                        let _e1384 = (_e1118 < _e93);
-                                                        if _e1384 {
-                                                            if _e1384 {
+                                                        let _e1557 = (_e1282 < _e96);
+                                                        if _e1557 {
+                                                            if _e1557 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
-                                                            let _e1386 = global_5.member[_e1118];
-                                                            phi_1146_ = _e1386;
+                                                            let _e1559 = global_5.member[_e1282];
+                                                            phi_1368_ = _e1559;
                                                         } else {
-                                                            phi_1146_ = 0u;
+                                                            phi_1368_ = 0u;
                                                         }
-                                                        let _e1388 = phi_1146_;
-                                                        let _e1390 = ((10u * _e261) & 31u);
-                                                        let _e1399 = ((10u * _e260) & 31u);
-                                                        let _e1408 = ((10u * _e262) & 31u);
-                                                        let _e1417 = (_e1118 + 1u);
-                                                        let _e1418 = (_e1417 < _e93);
-                                                        if _e1418 {
-                                                            if _e1418 {
+                                                        let _e1561 = phi_1368_;
+                                                        let _e1563 = ((10u * _e264) & 31u);
+                                                        let _e1573 = ((10u * _e263) & 31u);
+                                                        let _e1583 = ((10u * _e265) & 31u);
+                                                        let _e1593 = (_e1282 + 1u);
+                                                        let _e1594 = (_e1593 < _e96);
+                                                        if _e1594 {
+                                                            if _e1594 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
-                                                            let _e1420 = global_5.member[_e1417];
-                                                            phi_1189_ = _e1420;
+                                                            let _e1596 = global_5.member[_e1593];
+                                                            phi_1414_ = _e1596;
                                                         } else {
-                                                            phi_1189_ = 0u;
+                                                            phi_1414_ = 0u;
                                                         }
-                                                        let _e1422 = phi_1189_;
-                                                        let _e1445 = (_e1118 + 2u);
-                                                        let _e1446 = (_e1445 < _e93);
-                                                        if _e1446 {
-                                                            if _e1446 {
+                                                        let _e1598 = phi_1414_;
+                                                        let _e1624 = (_e1282 + 2u);
+                                                        let _e1625 = (_e1624 < _e96);
+                                                        if _e1625 {
+                                                            if _e1625 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
-                                                            let _e1448 = global_5.member[_e1445];
-                                                            phi_1232_ = _e1448;
+                                                            let _e1627 = global_5.member[_e1624];
+                                                            phi_1460_ = _e1627;
                                                         } else {
-                                                            phi_1232_ = 0u;
+                                                            phi_1460_ = 0u;
                                                         }
-                                                        let _e1450 = phi_1232_;
-                                                        phi_1703_ = array<array<f32, 3>, 3>(array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>(((_e1388 >> bitcast<u32>(_e1390)) & 1023u))) * _e141)), (_e546.member.member.y + (f32(bitcast<i32>(((_e1388 >> bitcast<u32>(_e1399)) & 1023u))) * _e141)), (_e546.member.member.z + (f32(bitcast<i32>(((_e1388 >> bitcast<u32>(_e1408)) & 1023u))) * _e141))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>(((_e1422 >> bitcast<u32>(_e1390)) & 1023u))) * _e141)), (_e546.member.member.y + (f32(bitcast<i32>(((_e1422 >> bitcast<u32>(_e1399)) & 1023u))) * _e141)), (_e546.member.member.z + (f32(bitcast<i32>(((_e1422 >> bitcast<u32>(_e1408)) & 1023u))) * _e141))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>(((_e1450 >> bitcast<u32>(_e1390)) & 1023u))) * _e141)), (_e546.member.member.y + (f32(bitcast<i32>(((_e1450 >> bitcast<u32>(_e1399)) & 1023u))) * _e141)), (_e546.member.member.z + (f32(bitcast<i32>(((_e1450 >> bitcast<u32>(_e1408)) & 1023u))) * _e141))));
+                                                        let _e1629 = phi_1460_;
+                                                        phi_1943_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1207 = (_e1118 < _e93);
-                                                        if _e1207 {
-                                                            if _e1207 {
+                                                        let _e1371 = (_e1282 < _e96);
+                                                        if _e1371 {
+                                                            if _e1371 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
-                                                            let _e1209 = global_5.member[_e1118];
-                                                            phi_1275_ = _e1209;
+                                                            let _e1373 = global_5.member[_e1282];
+                                                            phi_1506_ = _e1373;
                                                         } else {
-                                                            phi_1275_ = 0u;
+                                                            phi_1506_ = 0u;
                                                         }
-                                                        let _e1211 = phi_1275_;
-                                                        let _e1212 = (_e1118 + 1u);
-                                                        let _e1213 = (_e1212 < _e93);
-                                                        if _e1213 {
-                                                            if _e1213 {
+                                                        let _e1375 = phi_1506_;
+                                                        let _e1376 = (_e1282 + 1u);
+                                                        let _e1377 = (_e1376 < _e96);
+                                                        if _e1377 {
+                                                            if _e1377 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
-                                                            let _e1215 = global_5.member[_e1212];
-                                                            phi_1290_ = _e1215;
+                                                            let _e1379 = global_5.member[_e1376];
+                                                            phi_1521_ = _e1379;
                                                         } else {
-                                                            phi_1290_ = 0u;
+                                                            phi_1521_ = 0u;
                                                         }
-                                                        let _e1217 = phi_1290_;
-                                                        let _e1218 = (_e261 == 1u);
-                                                        if _e1218 {
-                                                            phi_1300_ = ((_e1211 >> bitcast<u32>(21i)) | (_e1217 << bitcast<u32>(11i)));
+                                                        let _e1381 = phi_1521_;
+                                                        let _e1382 = (_e264 == 1u);
+                                                        if _e1382 {
+                                                            phi_1531_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1300_ = (_e1217 >> bitcast<u32>(10i));
+                                                            phi_1531_ = (_e1381 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1227 = phi_1300_;
-                                                        let _e1234 = (_e260 == 1u);
-                                                        if _e1234 {
-                                                            phi_1320_ = ((_e1211 >> bitcast<u32>(21i)) | (_e1217 << bitcast<u32>(11i)));
+                                                        let _e1391 = phi_1531_;
+                                                        let _e1399 = (_e263 == 1u);
+                                                        if _e1399 {
+                                                            phi_1552_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1320_ = (_e1217 >> bitcast<u32>(10i));
+                                                            phi_1552_ = (_e1381 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1243 = phi_1320_;
-                                                        let _e1250 = (_e262 == 1u);
-                                                        if _e1250 {
-                                                            phi_1340_ = ((_e1211 >> bitcast<u32>(21i)) | (_e1217 << bitcast<u32>(11i)));
+                                                        let _e1408 = phi_1552_;
+                                                        let _e1416 = (_e265 == 1u);
+                                                        if _e1416 {
+                                                            phi_1573_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1340_ = (_e1217 >> bitcast<u32>(10i));
+                                                            phi_1573_ = (_e1381 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1259 = phi_1340_;
-                                                        let _e1267 = (_e1118 + 2u);
-                                                        let _e1268 = (_e1267 < _e93);
-                                                        if _e1268 {
-                                                            if _e1268 {
+                                                        let _e1425 = phi_1573_;
+                                                        let _e1434 = (_e1282 + 2u);
+                                                        let _e1435 = (_e1434 < _e96);
+                                                        if _e1435 {
+                                                            if _e1435 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
-                                                            let _e1270 = global_5.member[_e1267];
-                                                            phi_1366_ = _e1270;
+                                                            let _e1437 = global_5.member[_e1434];
+                                                            phi_1600_ = _e1437;
                                                         } else {
-                                                            phi_1366_ = 0u;
+                                                            phi_1600_ = 0u;
                                                         }
-                                                        let _e1272 = phi_1366_;
-                                                        let _e1273 = (_e1118 + 3u);
-                                                        let _e1274 = (_e1273 < _e93);
-                                                        if _e1274 {
-                                                            if _e1274 {
+                                                        let _e1439 = phi_1600_;
+                                                        let _e1440 = (_e1282 + 3u);
+                                                        let _e1441 = (_e1440 < _e96);
+                                                        if _e1441 {
+                                                            if _e1441 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
-                                                            let _e1276 = global_5.member[_e1273];
-                                                            phi_1381_ = _e1276;
+                                                            let _e1443 = global_5.member[_e1440];
+                                                            phi_1615_ = _e1443;
                                                         } else {
-                                                            phi_1381_ = 0u;
+                                                            phi_1615_ = 0u;
                                                         }
-                                                        let _e1278 = phi_1381_;
-                                                        if _e1218 {
-                                                            phi_1391_ = ((_e1272 >> bitcast<u32>(21i)) | (_e1278 << bitcast<u32>(11i)));
+                                                        let _e1445 = phi_1615_;
+                                                        if _e1382 {
+                                                            phi_1625_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1391_ = (_e1278 >> bitcast<u32>(10i));
+                                                            phi_1625_ = (_e1445 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1287 = phi_1391_;
-                                                        if _e1234 {
-                                                            phi_1411_ = ((_e1272 >> bitcast<u32>(21i)) | (_e1278 << bitcast<u32>(11i)));
+                                                        let _e1454 = phi_1625_;
+                                                        if _e1399 {
+                                                            phi_1646_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1411_ = (_e1278 >> bitcast<u32>(10i));
+                                                            phi_1646_ = (_e1445 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1302 = phi_1411_;
-                                                        if _e1250 {
-                                                            phi_1431_ = ((_e1272 >> bitcast<u32>(21i)) | (_e1278 << bitcast<u32>(11i)));
+                                                        let _e1470 = phi_1646_;
+                                                        if _e1416 {
+                                                            phi_1667_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1431_ = (_e1278 >> bitcast<u32>(10i));
+                                                            phi_1667_ = (_e1445 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1317 = phi_1431_;
-                                                        let _e1325 = (_e1118 + 4u);
-                                                        let _e1326 = (_e1325 < _e93);
-                                                        if _e1326 {
-                                                            if _e1326 {
+                                                        let _e1486 = phi_1667_;
+                                                        let _e1495 = (_e1282 + 4u);
+                                                        let _e1496 = (_e1495 < _e96);
+                                                        if _e1496 {
+                                                            if _e1496 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
-                                                            let _e1328 = global_5.member[_e1325];
-                                                            phi_1457_ = _e1328;
+                                                            let _e1498 = global_5.member[_e1495];
+                                                            phi_1694_ = _e1498;
                                                         } else {
-                                                            phi_1457_ = 0u;
+                                                            phi_1694_ = 0u;
                                                         }
-                                                        let _e1330 = phi_1457_;
-                                                        let _e1331 = (_e1118 + 5u);
-                                                        let _e1332 = (_e1331 < _e93);
+                                                        let _e1500 = phi_1694_;
+                                                        let _e1501 = (_e1282 + 5u);
+                                                        let _e1502 = (_e1501 < _e96);
+                                                        if _e1502 {
+                                                            if _e1502 {
+                                                            } else {
+                                                                phi_4289_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1504 = global_5.member[_e1501];
+                                                            phi_1709_ = _e1504;
+                                                        } else {
+                                                            phi_1709_ = 0u;
+                                                        }
+                                                        let _e1506 = phi_1709_;
+                                                        if _e1382 {
+                                                            phi_1719_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1719_ = (_e1506 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1515 = phi_1719_;
+                                                        if _e1399 {
+                                                            phi_1740_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1740_ = (_e1506 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1531 = phi_1740_;
+                                                        if _e1416 {
+                                                            phi_1761_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1761_ = (_e1506 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1547 = phi_1761_;
+                                                        phi_1943_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1391, _e1375, _e303) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1408, _e1375, _e372) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1425, _e1375, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1454, _e1439, _e303) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1470, _e1439, _e372) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1486, _e1439, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1515, _e1500, _e303) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1531, _e1500, _e372) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1547, _e1500, _e440) & 2097151u))) - 8388608f) * _e144))));
+                                                        break;
+                                                    }
+                                                    case 2: {
+                                                        let _e1284 = (_e1282 + _e264);
+                                                        let _e1285 = (_e1284 < _e96);
+                                                        if _e1285 {
+                                                            if _e1285 {
+                                                            } else {
+                                                                phi_4289_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1287 = global_5.member[_e1284];
+                                                            phi_1789_ = _e1287;
+                                                        } else {
+                                                            phi_1789_ = 0u;
+                                                        }
+                                                        let _e1289 = phi_1789_;
+                                                        let _e1293 = (_e1282 + _e263);
+                                                        let _e1294 = (_e1293 < _e96);
+                                                        if _e1294 {
+                                                            if _e1294 {
+                                                            } else {
+                                                                phi_4289_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1296 = global_5.member[_e1293];
+                                                            phi_1807_ = _e1296;
+                                                        } else {
+                                                            phi_1807_ = 0u;
+                                                        }
+                                                        let _e1298 = phi_1807_;
+                                                        let _e1302 = (_e1282 + _e265);
+                                                        let _e1303 = (_e1302 < _e96);
+                                                        if _e1303 {
+                                                            if _e1303 {
+                                                            } else {
+                                                                phi_4289_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1305 = global_5.member[_e1302];
+                                                            phi_1825_ = _e1305;
+                                                        } else {
+                                                            phi_1825_ = 0u;
+                                                        }
+                                                        let _e1307 = phi_1825_;
+                                                        let _e1312 = (_e1282 + 3u);
+                                                        let _e1313 = (_e1312 + _e264);
+                                                        let _e1314 = (_e1313 < _e96);
+                                                        if _e1314 {
+                                                            if _e1314 {
+                                                            } else {
+                                                                phi_4289_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1316 = global_5.member[_e1313];
+                                                            phi_1845_ = _e1316;
+                                                        } else {
+                                                            phi_1845_ = 0u;
+                                                        }
+                                                        let _e1318 = phi_1845_;
+                                                        let _e1322 = (_e1312 + _e263);
+                                                        let _e1323 = (_e1322 < _e96);
+                                                        if _e1323 {
+                                                            if _e1323 {
+                                                            } else {
+                                                                phi_4289_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1325 = global_5.member[_e1322];
+                                                            phi_1863_ = _e1325;
+                                                        } else {
+                                                            phi_1863_ = 0u;
+                                                        }
+                                                        let _e1327 = phi_1863_;
+                                                        let _e1331 = (_e1312 + _e265);
+                                                        let _e1332 = (_e1331 < _e96);
                                                         if _e1332 {
                                                             if _e1332 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
                                                             let _e1334 = global_5.member[_e1331];
-                                                            phi_1472_ = _e1334;
+                                                            phi_1881_ = _e1334;
                                                         } else {
-                                                            phi_1472_ = 0u;
+                                                            phi_1881_ = 0u;
                                                         }
-                                                        let _e1336 = phi_1472_;
-                                                        if _e1218 {
-                                                            phi_1482_ = ((_e1330 >> bitcast<u32>(21i)) | (_e1336 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1482_ = (_e1336 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1345 = phi_1482_;
-                                                        if _e1234 {
-                                                            phi_1502_ = ((_e1330 >> bitcast<u32>(21i)) | (_e1336 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1502_ = (_e1336 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1360 = phi_1502_;
-                                                        if _e1250 {
-                                                            phi_1522_ = ((_e1330 >> bitcast<u32>(21i)) | (_e1336 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1522_ = (_e1336 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1375 = phi_1522_;
-                                                        phi_1703_ = array<array<f32, 3>, 3>(array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>((select(_e1227, _e1211, _e300) & 2097151u))) * _e141)), (_e546.member.member.y + (f32(bitcast<i32>((select(_e1243, _e1211, _e339) & 2097151u))) * _e141)), (_e546.member.member.z + (f32(bitcast<i32>((select(_e1259, _e1211, _e377) & 2097151u))) * _e141))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>((select(_e1287, _e1272, _e300) & 2097151u))) * _e141)), (_e546.member.member.y + (f32(bitcast<i32>((select(_e1302, _e1272, _e339) & 2097151u))) * _e141)), (_e546.member.member.z + (f32(bitcast<i32>((select(_e1317, _e1272, _e377) & 2097151u))) * _e141))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>((select(_e1345, _e1330, _e300) & 2097151u))) * _e141)), (_e546.member.member.y + (f32(bitcast<i32>((select(_e1360, _e1330, _e339) & 2097151u))) * _e141)), (_e546.member.member.z + (f32(bitcast<i32>((select(_e1375, _e1330, _e377) & 2097151u))) * _e141))));
-                                                        break;
-                                                    }
-                                                    case 2: {
-                                                        let _e1120 = (_e1118 + _e261);
-                                                        let _e1121 = (_e1120 < _e93);
-                                                        if _e1121 {
-                                                            if _e1121 {
+                                                        let _e1336 = phi_1881_;
+                                                        let _e1341 = (_e1282 + 6u);
+                                                        let _e1342 = (_e1341 + _e264);
+                                                        let _e1343 = (_e1342 < _e96);
+                                                        if _e1343 {
+                                                            if _e1343 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
-                                                            let _e1123 = global_5.member[_e1120];
-                                                            phi_1549_ = _e1123;
+                                                            let _e1345 = global_5.member[_e1342];
+                                                            phi_1901_ = _e1345;
                                                         } else {
-                                                            phi_1549_ = 0u;
+                                                            phi_1901_ = 0u;
                                                         }
-                                                        let _e1125 = phi_1549_;
-                                                        let _e1129 = (_e1118 + _e260);
-                                                        let _e1130 = (_e1129 < _e93);
-                                                        if _e1130 {
-                                                            if _e1130 {
+                                                        let _e1347 = phi_1901_;
+                                                        let _e1351 = (_e1341 + _e263);
+                                                        let _e1352 = (_e1351 < _e96);
+                                                        if _e1352 {
+                                                            if _e1352 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
-                                                            let _e1132 = global_5.member[_e1129];
-                                                            phi_1567_ = _e1132;
+                                                            let _e1354 = global_5.member[_e1351];
+                                                            phi_1919_ = _e1354;
                                                         } else {
-                                                            phi_1567_ = 0u;
+                                                            phi_1919_ = 0u;
                                                         }
-                                                        let _e1134 = phi_1567_;
-                                                        let _e1138 = (_e1118 + _e262);
-                                                        let _e1139 = (_e1138 < _e93);
-                                                        if _e1139 {
-                                                            if _e1139 {
+                                                        let _e1356 = phi_1919_;
+                                                        let _e1360 = (_e1341 + _e265);
+                                                        let _e1361 = (_e1360 < _e96);
+                                                        if _e1361 {
+                                                            if _e1361 {
                                                             } else {
-                                                                phi_4041_ = true;
+                                                                phi_4289_ = true;
                                                                 break;
                                                             }
-                                                            let _e1141 = global_5.member[_e1138];
-                                                            phi_1585_ = _e1141;
+                                                            let _e1363 = global_5.member[_e1360];
+                                                            phi_1937_ = _e1363;
                                                         } else {
-                                                            phi_1585_ = 0u;
+                                                            phi_1937_ = 0u;
                                                         }
-                                                        let _e1143 = phi_1585_;
-                                                        let _e1148 = (_e1118 + 3u);
-                                                        let _e1149 = (_e1148 + _e261);
-                                                        let _e1150 = (_e1149 < _e93);
-                                                        if _e1150 {
-                                                            if _e1150 {
-                                                            } else {
-                                                                phi_4041_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1152 = global_5.member[_e1149];
-                                                            phi_1605_ = _e1152;
-                                                        } else {
-                                                            phi_1605_ = 0u;
-                                                        }
-                                                        let _e1154 = phi_1605_;
-                                                        let _e1158 = (_e1148 + _e260);
-                                                        let _e1159 = (_e1158 < _e93);
-                                                        if _e1159 {
-                                                            if _e1159 {
-                                                            } else {
-                                                                phi_4041_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1161 = global_5.member[_e1158];
-                                                            phi_1623_ = _e1161;
-                                                        } else {
-                                                            phi_1623_ = 0u;
-                                                        }
-                                                        let _e1163 = phi_1623_;
-                                                        let _e1167 = (_e1148 + _e262);
-                                                        let _e1168 = (_e1167 < _e93);
-                                                        if _e1168 {
-                                                            if _e1168 {
-                                                            } else {
-                                                                phi_4041_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1170 = global_5.member[_e1167];
-                                                            phi_1641_ = _e1170;
-                                                        } else {
-                                                            phi_1641_ = 0u;
-                                                        }
-                                                        let _e1172 = phi_1641_;
-                                                        let _e1177 = (_e1118 + 6u);
-                                                        let _e1178 = (_e1177 + _e261);
-                                                        let _e1179 = (_e1178 < _e93);
-                                                        if _e1179 {
-                                                            if _e1179 {
-                                                            } else {
-                                                                phi_4041_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1181 = global_5.member[_e1178];
-                                                            phi_1661_ = _e1181;
-                                                        } else {
-                                                            phi_1661_ = 0u;
-                                                        }
-                                                        let _e1183 = phi_1661_;
-                                                        let _e1187 = (_e1177 + _e260);
-                                                        let _e1188 = (_e1187 < _e93);
-                                                        if _e1188 {
-                                                            if _e1188 {
-                                                            } else {
-                                                                phi_4041_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1190 = global_5.member[_e1187];
-                                                            phi_1679_ = _e1190;
-                                                        } else {
-                                                            phi_1679_ = 0u;
-                                                        }
-                                                        let _e1192 = phi_1679_;
-                                                        let _e1196 = (_e1177 + _e262);
-                                                        let _e1197 = (_e1196 < _e93);
-                                                        if _e1197 {
-                                                            if _e1197 {
-                                                            } else {
-                                                                phi_4041_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1199 = global_5.member[_e1196];
-                                                            phi_1697_ = _e1199;
-                                                        } else {
-                                                            phi_1697_ = 0u;
-                                                        }
-                                                        let _e1201 = phi_1697_;
-                                                        phi_1703_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1125)) * _e141), (f32(bitcast<i32>(_e1134)) * _e141), (f32(bitcast<i32>(_e1143)) * _e141)), array<f32, 3>((f32(bitcast<i32>(_e1154)) * _e141), (f32(bitcast<i32>(_e1163)) * _e141), (f32(bitcast<i32>(_e1172)) * _e141)), array<f32, 3>((f32(bitcast<i32>(_e1183)) * _e141), (f32(bitcast<i32>(_e1192)) * _e141), (f32(bitcast<i32>(_e1201)) * _e141)));
+                                                        let _e1365 = phi_1937_;
+                                                        phi_1943_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1289)) * _e144), (f32(bitcast<i32>(_e1298)) * _e144), (f32(bitcast<i32>(_e1307)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1318)) * _e144), (f32(bitcast<i32>(_e1327)) * _e144), (f32(bitcast<i32>(_e1336)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1347)) * _e144), (f32(bitcast<i32>(_e1356)) * _e144), (f32(bitcast<i32>(_e1365)) * _e144)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1703_ = array<array<f32, 3>, 3>();
+                                                        phi_1943_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1475 = phi_1703_;
-                                                let _e1484 = (_e1475[0][2] - _e387);
-                                                let _e1487 = (((_e1475[0][0] - _e310) * _e411) - (_e1484 * _e335));
-                                                let _e1490 = (((_e1475[0][1] - _e349) * _e411) - (_e1484 * _e373));
-                                                let _e1497 = (_e1475[1][2] - _e387);
-                                                let _e1500 = (((_e1475[1][0] - _e310) * _e411) - (_e1497 * _e335));
-                                                let _e1503 = (((_e1475[1][1] - _e349) * _e411) - (_e1497 * _e373));
-                                                let _e1510 = (_e1475[2][2] - _e387);
-                                                let _e1513 = (((_e1475[2][0] - _e310) * _e411) - (_e1510 * _e335));
-                                                let _e1516 = (((_e1475[2][1] - _e349) * _e411) - (_e1510 * _e373));
-                                                let _e1517 = (_e1513 * _e1503);
-                                                let _e1518 = (_e1516 * _e1500);
-                                                let _e1519 = (_e1487 * _e1516);
-                                                let _e1520 = (_e1490 * _e1513);
-                                                let _e1521 = (_e1500 * _e1490);
-                                                let _e1522 = (_e1503 * _e1487);
-                                                let _e1527 = (((_e1517 >= _e1518) && (_e1519 >= _e1520)) && (_e1521 >= _e1522));
-                                                if (_e1527 || (((_e1517 <= _e1518) && (_e1519 <= _e1520)) && (_e1521 <= _e1522))) {
-                                                    let _e1534 = select(-1f, 1f, _e1527);
-                                                    let _e1536 = ((_e1517 - _e1518) * _e1534);
-                                                    let _e1538 = select(0f, _e1536, (_e1536 > 0f));
-                                                    let _e1540 = ((_e1519 - _e1520) * _e1534);
-                                                    let _e1542 = select(0f, _e1540, (_e1540 > 0f));
-                                                    let _e1544 = ((_e1521 - _e1522) * _e1534);
-                                                    let _e1546 = select(0f, _e1544, (_e1544 > 0f));
-                                                    let _e1548 = ((_e1538 + _e1542) + _e1546);
-                                                    if (_e1548 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2528_ = type_24();
-                                                        phi_2529_ = true;
-                                                        phi_2530_ = false;
+                                                let _e1657 = phi_1943_;
+                                                let _e1666 = (_e1657[0][2] - _e465);
+                                                let _e1669 = (((_e1657[0][0] - _e328) * _e504) - (_e1666 * _e368));
+                                                let _e1672 = (((_e1657[0][1] - _e397) * _e504) - (_e1666 * _e436));
+                                                let _e1679 = (_e1657[1][2] - _e465);
+                                                let _e1682 = (((_e1657[1][0] - _e328) * _e504) - (_e1679 * _e368));
+                                                let _e1685 = (((_e1657[1][1] - _e397) * _e504) - (_e1679 * _e436));
+                                                let _e1692 = (_e1657[2][2] - _e465);
+                                                let _e1695 = (((_e1657[2][0] - _e328) * _e504) - (_e1692 * _e368));
+                                                let _e1698 = (((_e1657[2][1] - _e397) * _e504) - (_e1692 * _e436));
+                                                let _e1699 = (_e1695 * _e1685);
+                                                let _e1700 = (_e1698 * _e1682);
+                                                let _e1701 = (_e1669 * _e1698);
+                                                let _e1702 = (_e1672 * _e1695);
+                                                let _e1703 = (_e1682 * _e1672);
+                                                let _e1704 = (_e1685 * _e1669);
+                                                let _e1709 = (((_e1699 >= _e1700) && (_e1701 >= _e1702)) && (_e1703 >= _e1704));
+                                                if (_e1709 || (((_e1699 <= _e1700) && (_e1701 <= _e1702)) && (_e1703 <= _e1704))) {
+                                                    let _e1716 = select(-1f, 1f, _e1709);
+                                                    let _e1718 = ((_e1699 - _e1700) * _e1716);
+                                                    let _e1720 = select(0f, _e1718, (_e1718 > 0f));
+                                                    let _e1722 = ((_e1701 - _e1702) * _e1716);
+                                                    let _e1724 = select(0f, _e1722, (_e1722 > 0f));
+                                                    let _e1726 = ((_e1703 - _e1704) * _e1716);
+                                                    let _e1728 = select(0f, _e1726, (_e1726 > 0f));
+                                                    let _e1730 = ((_e1720 + _e1724) + _e1728);
+                                                    if (_e1730 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2768_ = type_24();
+                                                        phi_2769_ = true;
+                                                        phi_2770_ = false;
                                                     } else {
-                                                        let _e1551 = select(_e1500, _e1487, (_e1487 < _e1500));
-                                                        if (select(_e1513, _e1551, (_e1551 < _e1513)) > 0f) {
-                                                            phi_1820_ = true;
+                                                        let _e1733 = select(_e1682, _e1669, (_e1669 < _e1682));
+                                                        if (select(_e1695, _e1733, (_e1733 < _e1695)) > 0f) {
+                                                            phi_2060_ = true;
                                                         } else {
-                                                            let _e1556 = select(_e1500, _e1487, (_e1487 > _e1500));
-                                                            phi_1820_ = (select(_e1513, _e1556, (_e1556 > _e1513)) < 0f);
+                                                            let _e1738 = select(_e1682, _e1669, (_e1669 > _e1682));
+                                                            phi_2060_ = (select(_e1695, _e1738, (_e1738 > _e1695)) < 0f);
                                                         }
-                                                        let _e1561 = phi_1820_;
-                                                        if _e1561 {
-                                                            phi_2525_ = type_24();
-                                                            phi_2526_ = true;
-                                                            phi_2527_ = false;
+                                                        let _e1743 = phi_2060_;
+                                                        if _e1743 {
+                                                            phi_2765_ = type_24();
+                                                            phi_2766_ = true;
+                                                            phi_2767_ = false;
                                                         } else {
-                                                            let _e1563 = select(_e1503, _e1490, (_e1490 < _e1503));
-                                                            if (select(_e1516, _e1563, (_e1563 < _e1516)) > 0f) {
-                                                                phi_1849_ = true;
+                                                            let _e1745 = select(_e1685, _e1672, (_e1672 < _e1685));
+                                                            if (select(_e1698, _e1745, (_e1745 < _e1698)) > 0f) {
+                                                                phi_2089_ = true;
                                                             } else {
-                                                                let _e1568 = select(_e1503, _e1490, (_e1490 > _e1503));
-                                                                phi_1849_ = (select(_e1516, _e1568, (_e1568 > _e1516)) < 0f);
+                                                                let _e1750 = select(_e1685, _e1672, (_e1672 > _e1685));
+                                                                phi_2089_ = (select(_e1698, _e1750, (_e1750 > _e1698)) < 0f);
                                                             }
-                                                            let _e1573 = phi_1849_;
-                                                            if _e1573 {
-                                                                phi_2523_ = type_24();
-                                                                phi_2524_ = false;
+                                                            let _e1755 = phi_2089_;
+                                                            if _e1755 {
+                                                                phi_2763_ = type_24();
+                                                                phi_2764_ = false;
                                                             } else {
-                                                                let _e1575 = select(_e1475[1][0], _e1475[0][0], (_e1475[0][0] < _e1475[1][0]));
-                                                                let _e1579 = select(_e1475[1][0], _e1475[0][0], (_e1475[0][0] > _e1475[1][0]));
-                                                                let _e1583 = select(_e1475[1][1], _e1475[0][1], (_e1475[0][1] < _e1475[1][1]));
-                                                                let _e1587 = select(_e1475[1][1], _e1475[0][1], (_e1475[0][1] > _e1475[1][1]));
-                                                                let _e1591 = select(_e1475[1][2], _e1475[0][2], (_e1475[0][2] < _e1475[1][2]));
-                                                                let _e1595 = select(_e1475[1][2], _e1475[0][2], (_e1475[0][2] > _e1475[1][2]));
-                                                                let _e1600 = ((select(_e1475[2][0], _e1575, (_e1575 < _e1475[2][0])) - _e333) * _e338);
-                                                                let _e1601 = ((select(_e1475[2][0], _e1579, (_e1579 > _e1475[2][0])) - _e334) * _e338);
-                                                                let _e1604 = ((select(_e1475[2][1], _e1583, (_e1583 < _e1475[2][1])) - _e371) * _e376);
-                                                                let _e1605 = ((select(_e1475[2][1], _e1587, (_e1587 > _e1475[2][1])) - _e372) * _e376);
-                                                                let _e1608 = ((select(_e1475[2][2], _e1591, (_e1591 < _e1475[2][2])) - _e409) * _e414);
-                                                                let _e1609 = ((select(_e1475[2][2], _e1595, (_e1595 > _e1475[2][2])) - _e410) * _e414);
-                                                                let _e1611 = select(_e1609, _e1608, (_e1608 < _e1609));
-                                                                let _e1613 = select(_e1609, _e1608, (_e1608 > _e1609));
-                                                                let _e1615 = select(_e1601, _e1600, (_e1600 < _e1601));
-                                                                let _e1617 = select(_e1605, _e1604, (_e1604 < _e1605));
-                                                                let _e1619 = select(_e1617, _e1615, (_e1615 > _e1617));
-                                                                let _e1621 = select(_e1611, _e1619, (_e1619 > _e1611));
-                                                                let _e1623 = select(_e1601, _e1600, (_e1600 > _e1601));
-                                                                let _e1625 = select(_e1605, _e1604, (_e1604 > _e1605));
-                                                                let _e1627 = select(_e1625, _e1623, (_e1623 < _e1625));
-                                                                let _e1629 = select(_e1613, _e1627, (_e1627 < _e1613));
-                                                                let _e1630 = -(_e1611);
-                                                                let _e1636 = select(_e461, _e1621, (_e1621 > _e461));
-                                                                if (_e1636 > (_e1629 + (select(_e1630, _e1613, (_e1613 > _e1630)) * 0.0000019073523f))) {
-                                                                    phi_2518_ = type_24();
-                                                                    phi_2519_ = true;
+                                                                let _e1757 = select(_e1657[1][0], _e1657[0][0], (_e1657[0][0] < _e1657[1][0]));
+                                                                let _e1761 = select(_e1657[1][0], _e1657[0][0], (_e1657[0][0] > _e1657[1][0]));
+                                                                let _e1765 = select(_e1657[1][1], _e1657[0][1], (_e1657[0][1] < _e1657[1][1]));
+                                                                let _e1769 = select(_e1657[1][1], _e1657[0][1], (_e1657[0][1] > _e1657[1][1]));
+                                                                let _e1773 = select(_e1657[1][2], _e1657[0][2], (_e1657[0][2] < _e1657[1][2]));
+                                                                let _e1777 = select(_e1657[1][2], _e1657[0][2], (_e1657[0][2] > _e1657[1][2]));
+                                                                let _e1782 = ((select(_e1657[2][0], _e1757, (_e1757 < _e1657[2][0])) - _e366) * _e371);
+                                                                let _e1783 = ((select(_e1657[2][0], _e1761, (_e1761 > _e1657[2][0])) - _e367) * _e371);
+                                                                let _e1786 = ((select(_e1657[2][1], _e1765, (_e1765 < _e1657[2][1])) - _e434) * _e439);
+                                                                let _e1787 = ((select(_e1657[2][1], _e1769, (_e1769 > _e1657[2][1])) - _e435) * _e439);
+                                                                let _e1790 = ((select(_e1657[2][2], _e1773, (_e1773 < _e1657[2][2])) - _e502) * _e507);
+                                                                let _e1791 = ((select(_e1657[2][2], _e1777, (_e1777 > _e1657[2][2])) - _e503) * _e507);
+                                                                let _e1793 = select(_e1791, _e1790, (_e1790 < _e1791));
+                                                                let _e1795 = select(_e1791, _e1790, (_e1790 > _e1791));
+                                                                let _e1797 = select(_e1783, _e1782, (_e1782 < _e1783));
+                                                                let _e1799 = select(_e1787, _e1786, (_e1786 < _e1787));
+                                                                let _e1801 = select(_e1799, _e1797, (_e1797 > _e1799));
+                                                                let _e1803 = select(_e1793, _e1801, (_e1801 > _e1793));
+                                                                let _e1805 = select(_e1783, _e1782, (_e1782 > _e1783));
+                                                                let _e1807 = select(_e1787, _e1786, (_e1786 > _e1787));
+                                                                let _e1809 = select(_e1807, _e1805, (_e1805 < _e1807));
+                                                                let _e1811 = select(_e1795, _e1809, (_e1809 < _e1795));
+                                                                let _e1812 = -(_e1793);
+                                                                let _e1818 = select(_e619, _e1803, (_e1803 > _e619));
+                                                                if (_e1818 > (_e1811 + (select(_e1812, _e1795, (_e1795 > _e1812)) * 0.0000019073523f))) {
+                                                                    phi_2758_ = type_24();
+                                                                    phi_2759_ = true;
                                                                 } else {
-                                                                    let _e1638 = (_e1636 > _e1040.member.member_1);
-                                                                    if _e1638 {
-                                                                        phi_2517_ = type_24();
+                                                                    let _e1820 = (_e1818 > _e1204.member.member_1);
+                                                                    if _e1820 {
+                                                                        phi_2757_ = type_24();
                                                                     } else {
-                                                                        let _e1639 = vec3<f32>(_e1475[0][0], _e1475[0][1], _e1475[0][2]);
-                                                                        let _e1640 = vec3<f32>(_e1475[1][0], _e1475[1][1], _e1475[1][2]);
-                                                                        let _e1641 = vec3<f32>(_e1475[2][0], _e1475[2][1], _e1475[2][2]);
-                                                                        let _e1642 = (_e1475[1][0] - _e1475[0][0]);
-                                                                        let _e1643 = (_e1475[1][1] - _e1475[0][1]);
-                                                                        let _e1644 = (_e1475[1][2] - _e1475[0][2]);
-                                                                        let _e1645 = vec3<f32>(_e1642, _e1643, _e1644);
-                                                                        let _e1646 = (_e1475[2][0] - _e1475[1][0]);
-                                                                        let _e1647 = (_e1475[2][1] - _e1475[1][1]);
-                                                                        let _e1648 = (_e1475[2][2] - _e1475[1][2]);
-                                                                        let _e1649 = vec3<f32>(_e1646, _e1647, _e1648);
-                                                                        let _e1650 = (_e1475[0][0] - _e1475[2][0]);
-                                                                        let _e1651 = (_e1475[0][1] - _e1475[2][1]);
-                                                                        let _e1652 = (_e1475[0][2] - _e1475[2][2]);
-                                                                        let _e1653 = vec3<f32>(_e1650, _e1651, _e1652);
-                                                                        let _e1656 = bitcast<f32>((bitcast<u32>(_e1642) & 2147483647u));
-                                                                        let _e1659 = bitcast<f32>((bitcast<u32>(_e1643) & 2147483647u));
-                                                                        let _e1661 = select(_e1659, _e1656, (_e1656 > _e1659));
-                                                                        let _e1664 = bitcast<f32>((bitcast<u32>(_e1644) & 2147483647u));
-                                                                        let _e1666 = select(_e1664, _e1661, (_e1661 > _e1664));
-                                                                        let _e1669 = bitcast<f32>((bitcast<u32>(_e1646) & 2147483647u));
-                                                                        let _e1672 = bitcast<f32>((bitcast<u32>(_e1647) & 2147483647u));
-                                                                        let _e1674 = select(_e1672, _e1669, (_e1669 > _e1672));
-                                                                        let _e1677 = bitcast<f32>((bitcast<u32>(_e1648) & 2147483647u));
-                                                                        let _e1679 = select(_e1677, _e1674, (_e1674 > _e1677));
-                                                                        let _e1682 = bitcast<f32>((bitcast<u32>(_e1650) & 2147483647u));
-                                                                        let _e1685 = bitcast<f32>((bitcast<u32>(_e1651) & 2147483647u));
-                                                                        let _e1687 = select(_e1685, _e1682, (_e1682 > _e1685));
-                                                                        let _e1690 = bitcast<f32>((bitcast<u32>(_e1652) & 2147483647u));
-                                                                        let _e1692 = select(_e1690, _e1687, (_e1687 > _e1690));
-                                                                        let _e1694 = select(_e1679, _e1666, (_e1666 > _e1679));
-                                                                        let _e1696 = select(_e1692, _e1694, (_e1694 > _e1692));
-                                                                        if (_e1666 == _e1696) {
-                                                                            phi_2250_ = _e1503;
-                                                                            phi_2251_ = _e1500;
-                                                                            phi_2252_ = _e1490;
-                                                                            phi_2253_ = _e1487;
-                                                                            phi_2254_ = _e1639;
-                                                                            phi_2255_ = _e1653;
-                                                                            phi_2256_ = _e1649;
-                                                                            phi_2257_ = _e1645;
+                                                                        let _e1821 = vec3<f32>(_e1657[0][0], _e1657[0][1], _e1657[0][2]);
+                                                                        let _e1822 = vec3<f32>(_e1657[1][0], _e1657[1][1], _e1657[1][2]);
+                                                                        let _e1823 = vec3<f32>(_e1657[2][0], _e1657[2][1], _e1657[2][2]);
+                                                                        let _e1824 = (_e1657[1][0] - _e1657[0][0]);
+                                                                        let _e1825 = (_e1657[1][1] - _e1657[0][1]);
+                                                                        let _e1826 = (_e1657[1][2] - _e1657[0][2]);
+                                                                        let _e1827 = vec3<f32>(_e1824, _e1825, _e1826);
+                                                                        let _e1828 = (_e1657[2][0] - _e1657[1][0]);
+                                                                        let _e1829 = (_e1657[2][1] - _e1657[1][1]);
+                                                                        let _e1830 = (_e1657[2][2] - _e1657[1][2]);
+                                                                        let _e1831 = vec3<f32>(_e1828, _e1829, _e1830);
+                                                                        let _e1832 = (_e1657[0][0] - _e1657[2][0]);
+                                                                        let _e1833 = (_e1657[0][1] - _e1657[2][1]);
+                                                                        let _e1834 = (_e1657[0][2] - _e1657[2][2]);
+                                                                        let _e1835 = vec3<f32>(_e1832, _e1833, _e1834);
+                                                                        let _e1838 = bitcast<f32>((bitcast<u32>(_e1824) & 2147483647u));
+                                                                        let _e1841 = bitcast<f32>((bitcast<u32>(_e1825) & 2147483647u));
+                                                                        let _e1843 = select(_e1841, _e1838, (_e1838 > _e1841));
+                                                                        let _e1846 = bitcast<f32>((bitcast<u32>(_e1826) & 2147483647u));
+                                                                        let _e1848 = select(_e1846, _e1843, (_e1843 > _e1846));
+                                                                        let _e1851 = bitcast<f32>((bitcast<u32>(_e1828) & 2147483647u));
+                                                                        let _e1854 = bitcast<f32>((bitcast<u32>(_e1829) & 2147483647u));
+                                                                        let _e1856 = select(_e1854, _e1851, (_e1851 > _e1854));
+                                                                        let _e1859 = bitcast<f32>((bitcast<u32>(_e1830) & 2147483647u));
+                                                                        let _e1861 = select(_e1859, _e1856, (_e1856 > _e1859));
+                                                                        let _e1864 = bitcast<f32>((bitcast<u32>(_e1832) & 2147483647u));
+                                                                        let _e1867 = bitcast<f32>((bitcast<u32>(_e1833) & 2147483647u));
+                                                                        let _e1869 = select(_e1867, _e1864, (_e1864 > _e1867));
+                                                                        let _e1872 = bitcast<f32>((bitcast<u32>(_e1834) & 2147483647u));
+                                                                        let _e1874 = select(_e1872, _e1869, (_e1869 > _e1872));
+                                                                        let _e1876 = select(_e1861, _e1848, (_e1848 > _e1861));
+                                                                        let _e1878 = select(_e1874, _e1876, (_e1876 > _e1874));
+                                                                        if (_e1848 == _e1878) {
+                                                                            phi_2490_ = _e1685;
+                                                                            phi_2491_ = _e1682;
+                                                                            phi_2492_ = _e1672;
+                                                                            phi_2493_ = _e1669;
+                                                                            phi_2494_ = _e1821;
+                                                                            phi_2495_ = _e1835;
+                                                                            phi_2496_ = _e1831;
+                                                                            phi_2497_ = _e1827;
                                                                         } else {
-                                                                            let _e1698 = (_e1679 == _e1696);
-                                                                            let _e1703 = vec3(_e1698);
-                                                                            phi_2250_ = select(_e1490, _e1516, _e1698);
-                                                                            phi_2251_ = select(_e1487, _e1513, _e1698);
-                                                                            phi_2252_ = select(_e1516, _e1503, _e1698);
-                                                                            phi_2253_ = select(_e1513, _e1500, _e1698);
-                                                                            phi_2254_ = select(_e1641, _e1640, _e1703);
-                                                                            phi_2255_ = select(_e1649, _e1645, _e1703);
-                                                                            phi_2256_ = select(_e1645, _e1653, _e1703);
-                                                                            phi_2257_ = select(_e1653, _e1649, _e1703);
+                                                                            let _e1880 = (_e1861 == _e1878);
+                                                                            let _e1885 = vec3(_e1880);
+                                                                            phi_2490_ = select(_e1672, _e1698, _e1880);
+                                                                            phi_2491_ = select(_e1669, _e1695, _e1880);
+                                                                            phi_2492_ = select(_e1698, _e1685, _e1880);
+                                                                            phi_2493_ = select(_e1695, _e1682, _e1880);
+                                                                            phi_2494_ = select(_e1823, _e1822, _e1885);
+                                                                            phi_2495_ = select(_e1831, _e1827, _e1885);
+                                                                            phi_2496_ = select(_e1827, _e1835, _e1885);
+                                                                            phi_2497_ = select(_e1835, _e1831, _e1885);
                                                                         }
-                                                                        let _e1709 = phi_2250_;
-                                                                        let _e1711 = phi_2251_;
-                                                                        let _e1713 = phi_2252_;
-                                                                        let _e1715 = phi_2253_;
-                                                                        let _e1717 = phi_2254_;
-                                                                        let _e1719 = phi_2255_;
-                                                                        let _e1721 = phi_2256_;
-                                                                        let _e1723 = phi_2257_;
-                                                                        let _e1730 = ((_e1721.y * _e1719.z) - (_e1719.y * _e1721.z));
-                                                                        let _e1735 = ((_e1721.z * _e1719.x) - (_e1719.z * _e1721.x));
-                                                                        let _e1738 = ((_e1721.x * _e1719.y) - (_e1719.x * _e1721.y));
-                                                                        if (_e1538 >= _e1542) {
-                                                                            phi_2288_ = select(true, false, (_e1538 >= _e1546));
+                                                                        let _e1891 = phi_2490_;
+                                                                        let _e1893 = phi_2491_;
+                                                                        let _e1895 = phi_2492_;
+                                                                        let _e1897 = phi_2493_;
+                                                                        let _e1899 = phi_2494_;
+                                                                        let _e1901 = phi_2495_;
+                                                                        let _e1903 = phi_2496_;
+                                                                        let _e1905 = phi_2497_;
+                                                                        let _e1912 = ((_e1903.y * _e1901.z) - (_e1901.y * _e1903.z));
+                                                                        let _e1917 = ((_e1903.z * _e1901.x) - (_e1901.z * _e1903.x));
+                                                                        let _e1920 = ((_e1903.x * _e1901.y) - (_e1901.x * _e1903.y));
+                                                                        if (_e1720 >= _e1724) {
+                                                                            phi_2528_ = select(true, false, (_e1720 >= _e1728));
                                                                         } else {
-                                                                            phi_2288_ = true;
+                                                                            phi_2528_ = true;
                                                                         }
-                                                                        let _e1743 = phi_2288_;
-                                                                        if _e1743 {
-                                                                            phi_2297_ = select(_e1641, _e1640, vec3((_e1542 >= _e1546)));
+                                                                        let _e1925 = phi_2528_;
+                                                                        if _e1925 {
+                                                                            phi_2537_ = select(_e1823, _e1822, vec3((_e1724 >= _e1728)));
                                                                         } else {
-                                                                            phi_2297_ = _e1639;
+                                                                            phi_2537_ = _e1821;
                                                                         }
-                                                                        let _e1748 = phi_2297_;
-                                                                        let _e1759 = (((_e1730 * (_e1748.x - _e310)) + (_e1735 * (_e1748.y - _e349))) + (_e1738 * (_e1748.z - _e387)));
-                                                                        let _e1764 = (((_e1730 * _e335) + (_e1735 * _e373)) + (_e1738 * _e411));
-                                                                        let _e1765 = (_e1711 - _e1715);
-                                                                        let _e1766 = (_e1709 - _e1713);
-                                                                        let _e1774 = (-(((_e1715 * _e1765) + (_e1713 * _e1766))) / ((_e1765 * _e1765) + (_e1766 * _e1766)));
-                                                                        let _e1776 = select(1f, _e1774, (_e1774 < 1f));
-                                                                        let _e1778 = select(0f, _e1776, (_e1776 > 0f));
-                                                                        let _e1791 = ((_e1717.x + (_e1723.x * _e1778)) - _e310);
-                                                                        let _e1792 = ((_e1717.y + (_e1723.y * _e1778)) - _e349);
-                                                                        let _e1793 = ((_e1717.z + (_e1723.z * _e1778)) - _e387);
-                                                                        let _e1794 = (_e1793 / _e411);
-                                                                        let _e1806 = bitcast<f32>((bitcast<u32>(_e1791) & 2147483647u));
-                                                                        let _e1809 = bitcast<f32>((bitcast<u32>(_e1792) & 2147483647u));
-                                                                        let _e1811 = select(_e1809, _e1806, (_e1806 > _e1809));
-                                                                        let _e1814 = bitcast<f32>((bitcast<u32>(_e1793) & 2147483647u));
-                                                                        let _e1816 = select(_e1814, _e1811, (_e1811 > _e1814));
-                                                                        let _e1822 = bitcast<f32>((bitcast<u32>(_e1730) & 2147483647u));
-                                                                        let _e1825 = bitcast<f32>((bitcast<u32>(_e1735) & 2147483647u));
-                                                                        let _e1827 = select(_e1825, _e1822, (_e1822 > _e1825));
-                                                                        let _e1830 = bitcast<f32>((bitcast<u32>(_e1738) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1730 * _e1791) + (_e1735 * _e1792)) + (_e1738 * _e1793)) - _e1759)) & 2147483647u)) <= ((0.0000009536743f * select(_e1696, _e1816, (_e1816 > _e1696))) * select(_e1830, _e1827, (_e1827 > _e1830)))) {
-                                                                            let _e1840 = bitcast<f32>((bitcast<u32>(_e1721.x) & 2147483647u));
-                                                                            let _e1843 = bitcast<f32>((bitcast<u32>(_e1721.y) & 2147483647u));
-                                                                            let _e1845 = select(_e1843, _e1840, (_e1840 > _e1843));
-                                                                            let _e1848 = bitcast<f32>((bitcast<u32>(_e1721.z) & 2147483647u));
-                                                                            let _e1854 = bitcast<f32>((bitcast<u32>(_e1719.x) & 2147483647u));
-                                                                            let _e1857 = bitcast<f32>((bitcast<u32>(_e1719.y) & 2147483647u));
-                                                                            let _e1859 = select(_e1857, _e1854, (_e1854 > _e1857));
-                                                                            let _e1862 = bitcast<f32>((bitcast<u32>(_e1719.z) & 2147483647u));
-                                                                            let _e1866 = (bitcast<f32>((bitcast<u32>(_e1764) & 2147483647u)) > ((0.0000038146973f * select(_e1848, _e1845, (_e1845 > _e1848))) * select(_e1862, _e1859, (_e1859 > _e1862))));
-                                                                            if _e1866 {
-                                                                                phi_2462_ = (_e1759 / _e1764);
+                                                                        let _e1930 = phi_2537_;
+                                                                        let _e1941 = (((_e1912 * (_e1930.x - _e328)) + (_e1917 * (_e1930.y - _e397))) + (_e1920 * (_e1930.z - _e465)));
+                                                                        let _e1946 = (((_e1912 * _e368) + (_e1917 * _e436)) + (_e1920 * _e504));
+                                                                        let _e1947 = (_e1893 - _e1897);
+                                                                        let _e1948 = (_e1891 - _e1895);
+                                                                        let _e1956 = (-(((_e1897 * _e1947) + (_e1895 * _e1948))) / ((_e1947 * _e1947) + (_e1948 * _e1948)));
+                                                                        let _e1958 = select(1f, _e1956, (_e1956 < 1f));
+                                                                        let _e1960 = select(0f, _e1958, (_e1958 > 0f));
+                                                                        let _e1973 = ((_e1899.x + (_e1905.x * _e1960)) - _e328);
+                                                                        let _e1974 = ((_e1899.y + (_e1905.y * _e1960)) - _e397);
+                                                                        let _e1975 = ((_e1899.z + (_e1905.z * _e1960)) - _e465);
+                                                                        let _e1976 = (_e1975 / _e504);
+                                                                        let _e1988 = bitcast<f32>((bitcast<u32>(_e1973) & 2147483647u));
+                                                                        let _e1991 = bitcast<f32>((bitcast<u32>(_e1974) & 2147483647u));
+                                                                        let _e1993 = select(_e1991, _e1988, (_e1988 > _e1991));
+                                                                        let _e1996 = bitcast<f32>((bitcast<u32>(_e1975) & 2147483647u));
+                                                                        let _e1998 = select(_e1996, _e1993, (_e1993 > _e1996));
+                                                                        let _e2004 = bitcast<f32>((bitcast<u32>(_e1912) & 2147483647u));
+                                                                        let _e2007 = bitcast<f32>((bitcast<u32>(_e1917) & 2147483647u));
+                                                                        let _e2009 = select(_e2007, _e2004, (_e2004 > _e2007));
+                                                                        let _e2012 = bitcast<f32>((bitcast<u32>(_e1920) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1912 * _e1973) + (_e1917 * _e1974)) + (_e1920 * _e1975)) - _e1941)) & 2147483647u)) <= ((0.0000009536743f * select(_e1878, _e1998, (_e1998 > _e1878))) * select(_e2012, _e2009, (_e2009 > _e2012)))) {
+                                                                            let _e2022 = bitcast<f32>((bitcast<u32>(_e1903.x) & 2147483647u));
+                                                                            let _e2025 = bitcast<f32>((bitcast<u32>(_e1903.y) & 2147483647u));
+                                                                            let _e2027 = select(_e2025, _e2022, (_e2022 > _e2025));
+                                                                            let _e2030 = bitcast<f32>((bitcast<u32>(_e1903.z) & 2147483647u));
+                                                                            let _e2036 = bitcast<f32>((bitcast<u32>(_e1901.x) & 2147483647u));
+                                                                            let _e2039 = bitcast<f32>((bitcast<u32>(_e1901.y) & 2147483647u));
+                                                                            let _e2041 = select(_e2039, _e2036, (_e2036 > _e2039));
+                                                                            let _e2044 = bitcast<f32>((bitcast<u32>(_e1901.z) & 2147483647u));
+                                                                            let _e2048 = (bitcast<f32>((bitcast<u32>(_e1946) & 2147483647u)) > ((0.0000038146973f * select(_e2030, _e2027, (_e2027 > _e2030))) * select(_e2044, _e2041, (_e2041 > _e2044))));
+                                                                            if _e2048 {
+                                                                                phi_2702_ = (_e1941 / _e1946);
                                                                             } else {
-                                                                                phi_2462_ = f32();
+                                                                                phi_2702_ = f32();
                                                                             }
-                                                                            let _e1869 = phi_2462_;
-                                                                            phi_2464_ = _e1869;
-                                                                            phi_2465_ = select(true, false, _e1866);
+                                                                            let _e2051 = phi_2702_;
+                                                                            phi_2704_ = _e2051;
+                                                                            phi_2705_ = select(true, false, _e2048);
                                                                         } else {
-                                                                            phi_2464_ = f32();
-                                                                            phi_2465_ = true;
+                                                                            phi_2704_ = f32();
+                                                                            phi_2705_ = true;
                                                                         }
-                                                                        let _e1872 = phi_2464_;
-                                                                        let _e1874 = phi_2465_;
-                                                                        if _e1874 {
-                                                                            let _e1882 = (((_e1730 * (_e1791 - (_e335 * _e1794))) + (_e1735 * (_e1792 - (_e373 * _e1794)))) / _e1764);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1882) & 2147483647u)) <= _e1696) {
-                                                                                phi_2485_ = (_e1794 + _e1882);
+                                                                        let _e2054 = phi_2704_;
+                                                                        let _e2056 = phi_2705_;
+                                                                        if _e2056 {
+                                                                            let _e2064 = (((_e1912 * (_e1973 - (_e368 * _e1976))) + (_e1917 * (_e1974 - (_e436 * _e1976)))) / _e1946);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e2064) & 2147483647u)) <= _e1878) {
+                                                                                phi_2725_ = (_e1976 + _e2064);
                                                                             } else {
-                                                                                phi_2485_ = _e1794;
+                                                                                phi_2725_ = _e1976;
                                                                             }
-                                                                            let _e1889 = phi_2485_;
-                                                                            phi_2486_ = _e1889;
+                                                                            let _e2071 = phi_2725_;
+                                                                            phi_2726_ = _e2071;
                                                                         } else {
-                                                                            phi_2486_ = _e1872;
+                                                                            phi_2726_ = _e2054;
                                                                         }
-                                                                        let _e1891 = phi_2486_;
-                                                                        let _e1893 = select(_e1629, _e1891, (_e1891 < _e1629));
-                                                                        let _e1895 = select(_e1621, _e1893, (_e1893 > _e1621));
-                                                                        if (_e1895 >= _e461) {
-                                                                            let _e1897 = (_e1895 <= _e1040.member.member_1);
-                                                                            if _e1897 {
-                                                                                let _e1898 = (1f / _e1548);
-                                                                                phi_2509_ = type_24(_e1895, (_e1542 * _e1898), (_e1546 * _e1898), _e1106);
+                                                                        let _e2073 = phi_2726_;
+                                                                        let _e2075 = select(_e1811, _e2073, (_e2073 < _e1811));
+                                                                        let _e2077 = select(_e1803, _e2075, (_e2075 > _e1803));
+                                                                        if (_e2077 >= _e619) {
+                                                                            let _e2079 = (_e2077 <= _e1204.member.member_1);
+                                                                            if _e2079 {
+                                                                                let _e2080 = (1f / _e1730);
+                                                                                phi_2749_ = type_24(_e2077, (_e1724 * _e2080), (_e1728 * _e2080), _e1270);
                                                                             } else {
-                                                                                phi_2509_ = type_24();
+                                                                                phi_2749_ = type_24();
                                                                             }
-                                                                            let _e1903 = phi_2509_;
-                                                                            phi_2511_ = _e1903;
-                                                                            phi_2512_ = select(true, false, _e1897);
+                                                                            let _e2085 = phi_2749_;
+                                                                            phi_2751_ = _e2085;
+                                                                            phi_2752_ = select(true, false, _e2079);
                                                                         } else {
-                                                                            phi_2511_ = type_24();
-                                                                            phi_2512_ = true;
+                                                                            phi_2751_ = type_24();
+                                                                            phi_2752_ = true;
                                                                         }
-                                                                        let _e1906 = phi_2511_;
-                                                                        let _e1908 = phi_2512_;
-                                                                        if _e1908 {
-                                                                            phi_2516_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e2088 = phi_2751_;
+                                                                        let _e2090 = phi_2752_;
+                                                                        if _e2090 {
+                                                                            phi_2756_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2516_ = _e1906;
+                                                                            phi_2756_ = _e2088;
                                                                         }
-                                                                        let _e1910 = phi_2516_;
-                                                                        phi_2517_ = _e1910;
+                                                                        let _e2092 = phi_2756_;
+                                                                        phi_2757_ = _e2092;
                                                                     }
-                                                                    let _e1912 = phi_2517_;
-                                                                    phi_2518_ = _e1912;
-                                                                    phi_2519_ = _e1638;
+                                                                    let _e2094 = phi_2757_;
+                                                                    phi_2758_ = _e2094;
+                                                                    phi_2759_ = _e1820;
                                                                 }
-                                                                let _e1914 = phi_2518_;
-                                                                let _e1916 = phi_2519_;
-                                                                phi_2523_ = _e1914;
-                                                                phi_2524_ = _e1916;
+                                                                let _e2096 = phi_2758_;
+                                                                let _e2098 = phi_2759_;
+                                                                phi_2763_ = _e2096;
+                                                                phi_2764_ = _e2098;
                                                             }
-                                                            let _e1918 = phi_2523_;
-                                                            let _e1920 = phi_2524_;
-                                                            phi_2525_ = _e1918;
-                                                            phi_2526_ = _e1573;
-                                                            phi_2527_ = _e1920;
+                                                            let _e2100 = phi_2763_;
+                                                            let _e2102 = phi_2764_;
+                                                            phi_2765_ = _e2100;
+                                                            phi_2766_ = _e1755;
+                                                            phi_2767_ = _e2102;
                                                         }
-                                                        let _e1922 = phi_2525_;
-                                                        let _e1924 = phi_2526_;
-                                                        let _e1926 = phi_2527_;
-                                                        phi_2528_ = _e1922;
-                                                        phi_2529_ = _e1924;
-                                                        phi_2530_ = _e1926;
+                                                        let _e2104 = phi_2765_;
+                                                        let _e2106 = phi_2766_;
+                                                        let _e2108 = phi_2767_;
+                                                        phi_2768_ = _e2104;
+                                                        phi_2769_ = _e2106;
+                                                        phi_2770_ = _e2108;
                                                     }
-                                                    let _e1928 = phi_2528_;
-                                                    let _e1930 = phi_2529_;
-                                                    let _e1932 = phi_2530_;
-                                                    phi_2538_ = _e1928;
-                                                    phi_2539_ = select(_e1932, true, _e1930);
+                                                    let _e2110 = phi_2768_;
+                                                    let _e2112 = phi_2769_;
+                                                    let _e2114 = phi_2770_;
+                                                    phi_2778_ = _e2110;
+                                                    phi_2779_ = select(_e2114, true, _e2112);
                                                 } else {
-                                                    phi_2538_ = type_24();
-                                                    phi_2539_ = true;
+                                                    phi_2778_ = type_24();
+                                                    phi_2779_ = true;
                                                 }
-                                                let _e1935 = phi_2538_;
-                                                let _e1937 = phi_2539_;
-                                                if _e1937 {
-                                                    phi_2543_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e2117 = phi_2778_;
+                                                let _e2119 = phi_2779_;
+                                                if _e2119 {
+                                                    phi_2783_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2543_ = _e1935;
+                                                    phi_2783_ = _e2117;
                                                 }
-                                                let _e1939 = phi_2543_;
-                                                if (_e1939.member_3 != 4294967295u) {
-                                                    if (_e1106 != 4294967295u) {
-                                                        if (_e1939.member < _e1040.member.member.member) {
-                                                            phi_2569_ = true;
+                                                let _e2121 = phi_2783_;
+                                                if (_e2121.member_3 != 4294967295u) {
+                                                    if (_e1270 != 4294967295u) {
+                                                        if (_e2121.member < _e1204.member.member.member) {
+                                                            phi_2809_ = true;
                                                         } else {
-                                                            if (_e1939.member == _e1040.member.member.member) {
-                                                                phi_2568_ = (_e1939.member_3 < _e1040.member.member.member_3);
+                                                            if (_e2121.member == _e1204.member.member.member) {
+                                                                phi_2808_ = (_e2121.member_3 < _e1204.member.member.member_3);
                                                             } else {
-                                                                phi_2568_ = false;
+                                                                phi_2808_ = false;
                                                             }
-                                                            let _e1954 = phi_2568_;
-                                                            phi_2569_ = _e1954;
+                                                            let _e2136 = phi_2808_;
+                                                            phi_2809_ = _e2136;
                                                         }
-                                                        let _e1956 = phi_2569_;
-                                                        if _e1956 {
-                                                            phi_2576_ = type_39(type_32(_e1939, _e1939.member), _e1067.member_1, _e1067.member_2);
+                                                        let _e2138 = phi_2809_;
+                                                        if _e2138 {
+                                                            phi_2816_ = type_39(type_32(_e2121, _e2121.member), _e1231.member_1, _e1231.member_2);
                                                         } else {
-                                                            phi_2576_ = _e1067;
+                                                            phi_2816_ = _e1231;
                                                         }
-                                                        let _e1963 = phi_2576_;
-                                                        phi_2577_ = _e1963;
+                                                        let _e2145 = phi_2816_;
+                                                        phi_2817_ = _e2145;
                                                     } else {
-                                                        phi_2577_ = _e1067;
+                                                        phi_2817_ = _e1231;
                                                     }
-                                                    let _e1965 = phi_2577_;
-                                                    phi_2578_ = _e1965;
+                                                    let _e2147 = phi_2817_;
+                                                    phi_2818_ = _e2147;
                                                 } else {
-                                                    phi_2578_ = _e1067;
+                                                    phi_2818_ = _e1231;
                                                 }
-                                                let _e1967 = phi_2578_;
-                                                phi_982_ = _e1967;
+                                                let _e2149 = phi_2818_;
+                                                phi_1204_ = _e2149;
                                             } else {
-                                                phi_982_ = type_39();
+                                                phi_1204_ = type_39();
                                             }
-                                            let _e1969 = phi_982_;
+                                            let _e2151 = phi_1204_;
                                             continue;
                                             continuing {
-                                                phi_981_ = _e1969;
-                                                phi_984_ = _e1055;
-                                                phi_4041_ = _e504;
-                                                break if !(_e1061);
+                                                phi_1203_ = _e2151;
+                                                phi_1206_ = _e1219;
+                                                phi_4289_ = _e662;
+                                                break if !(_e1225);
                                             }
                                         }
-                                        let _e1972 = phi_4041_;
-                                        phi_4230_ = _e1972;
-                                        if _e1972 {
+                                        let _e2154 = phi_4289_;
+                                        phi_4496_ = _e2154;
+                                        if _e2154 {
                                             break;
                                         }
-                                        phi_4234_ = _e1972;
-                                        let _e2178 = local_12;
-                                        phi_3821_ = _e2178;
-                                        phi_3822_ = _e546;
-                                        phi_3823_ = false;
-                                        phi_3824_ = _e550;
+                                        phi_4500_ = _e2154;
+                                        let _e2366 = local_12;
+                                        phi_4061_ = _e2366;
+                                        phi_4062_ = _e704;
+                                        phi_4063_ = false;
+                                        phi_4064_ = _e708;
                                     } else {
-                                        if (_e546.member_1 >= _e90) {
-                                            phi_3377_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e704.member_1 >= _e93) {
+                                            phi_3617_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e546.member_1 < _e90) {
+                                            if (_e704.member_1 < _e93) {
                                             } else {
-                                                phi_4230_ = true;
+                                                phi_4496_ = true;
                                                 break;
                                             }
-                                            let _e568 = (_e261 * 2u);
-                                            let _e570 = ((1u + _e568) % 7u);
-                                            if (_e570 < 7u) {
+                                            let _e726 = (_e264 * 2u);
+                                            let _e728 = ((1u + _e726) % 7u);
+                                            if (_e728 < 7u) {
                                             } else {
-                                                phi_4230_ = true;
+                                                phi_4496_ = true;
                                                 break;
                                             }
-                                            let _e575 = global_4.member[_e546.member_1][_e570];
-                                            let _e577 = ((_e568 + 2u) % 7u);
-                                            if (_e577 < 7u) {
+                                            let _e733 = global_4.member[_e704.member_1][_e728];
+                                            let _e735 = ((_e726 + 2u) % 7u);
+                                            if (_e735 < 7u) {
                                             } else {
-                                                phi_4230_ = true;
+                                                phi_4496_ = true;
                                                 break;
                                             }
-                                            let _e582 = global_4.member[_e546.member_1][_e577];
-                                            let _e583 = (_e260 * 2u);
-                                            let _e585 = ((1u + _e583) % 7u);
-                                            if (_e585 < 7u) {
+                                            let _e740 = global_4.member[_e704.member_1][_e735];
+                                            let _e741 = (_e263 * 2u);
+                                            let _e743 = ((1u + _e741) % 7u);
+                                            if (_e743 < 7u) {
                                             } else {
-                                                phi_4230_ = true;
+                                                phi_4496_ = true;
                                                 break;
                                             }
-                                            let _e590 = global_4.member[_e546.member_1][_e585];
-                                            let _e592 = ((_e583 + 2u) % 7u);
-                                            if (_e592 < 7u) {
+                                            let _e748 = global_4.member[_e704.member_1][_e743];
+                                            let _e750 = ((_e741 + 2u) % 7u);
+                                            if (_e750 < 7u) {
                                             } else {
-                                                phi_4230_ = true;
+                                                phi_4496_ = true;
                                                 break;
                                             }
-                                            let _e597 = global_4.member[_e546.member_1][_e592];
-                                            let _e598 = (_e262 * 2u);
-                                            let _e600 = ((1u + _e598) % 7u);
-                                            if (_e600 < 7u) {
+                                            let _e755 = global_4.member[_e704.member_1][_e750];
+                                            let _e756 = (_e265 * 2u);
+                                            let _e758 = ((1u + _e756) % 7u);
+                                            if (_e758 < 7u) {
                                             } else {
-                                                phi_4230_ = true;
+                                                phi_4496_ = true;
                                                 break;
                                             }
-                                            let _e605 = global_4.member[_e546.member_1][_e600];
-                                            let _e607 = ((_e598 + 2u) % 7u);
-                                            if (_e607 < 7u) {
+                                            let _e763 = global_4.member[_e704.member_1][_e758];
+                                            let _e765 = ((_e756 + 2u) % 7u);
+                                            if (_e765 < 7u) {
                                             } else {
-                                                phi_4230_ = true;
+                                                phi_4496_ = true;
                                                 break;
                                             }
-                                            let _e612 = global_4.member[_e546.member_1][_e607];
-                                            let _e635 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.x - _e546.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e636 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.y - _e546.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e637 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.z - _e546.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e639 = select(_e141, _e635, (_e635 > _e141));
-                                            let _e641 = select(_e141, _e636, (_e636 > _e141));
-                                            let _e643 = select(_e141, _e637, (_e637 > _e141));
-                                            let _e668 = bitcast<u32>((f32(bitcast<i32>((_e575 & 2097151u))) * _e639));
-                                            let _e673 = (bitcast<i32>((_e575 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e676 = bitcast<f32>((_e668 & bitcast<u32>(_e673)));
-                                            let _e677 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e641));
-                                            let _e682 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e685 = bitcast<f32>((_e677 & bitcast<u32>(_e682)));
-                                            let _e686 = bitcast<u32>((f32(bitcast<i32>((_e605 & 2097151u))) * _e643));
-                                            let _e691 = (bitcast<i32>((_e605 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e694 = bitcast<f32>((_e686 & bitcast<u32>(_e691)));
-                                            let _e698 = bitcast<f32>((_e668 & bitcast<u32>(~(_e673))));
-                                            let _e702 = bitcast<f32>((_e677 & bitcast<u32>(~(_e682))));
-                                            let _e706 = bitcast<f32>((_e686 & bitcast<u32>(~(_e691))));
-                                            let _e707 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e639));
-                                            let _e712 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e715 = bitcast<f32>((_e707 & bitcast<u32>(_e712)));
-                                            let _e716 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e641));
-                                            let _e721 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e724 = bitcast<f32>((_e716 & bitcast<u32>(_e721)));
-                                            let _e725 = bitcast<u32>((f32(bitcast<i32>((_e612 & 2097151u))) * _e643));
-                                            let _e730 = (bitcast<i32>((_e612 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e733 = bitcast<f32>((_e725 & bitcast<u32>(_e730)));
-                                            let _e737 = bitcast<f32>((_e707 & bitcast<u32>(~(_e712))));
-                                            let _e741 = bitcast<f32>((_e716 & bitcast<u32>(~(_e721))));
-                                            let _e745 = bitcast<f32>((_e725 & bitcast<u32>(~(_e730))));
-                                            let _e746 = (_e546.member.member.x + _e676);
-                                            let _e747 = (_e546.member.member.y + _e685);
-                                            let _e748 = (_e546.member.member.z + _e694);
-                                            let _e751 = (_e546.member.member_1.x - _e715);
-                                            let _e752 = (_e546.member.member_1.y - _e724);
-                                            let _e753 = (_e546.member.member_1.z - _e733);
-                                            let _e772 = (_e751 - _e746);
-                                            let _e773 = (_e752 - _e747);
-                                            let _e774 = (_e753 - _e748);
-                                            let _e776 = select(_e773, _e772, (_e772 > _e773));
-                                            let _e778 = select(_e774, _e776, (_e776 > _e774));
-                                            if (_e778 < (1024f * _e141)) {
-                                                phi_3078_ = 0u;
+                                            let _e770 = global_4.member[_e704.member_1][_e765];
+                                            let _e793 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e794 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e795 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e797 = select(_e144, _e793, (_e793 > _e144));
+                                            let _e799 = select(_e144, _e794, (_e794 > _e144));
+                                            let _e801 = select(_e144, _e795, (_e795 > _e144));
+                                            let _e832 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 2097151u))) - 8388608f) * _e797));
+                                            let _e837 = (bitcast<i32>((_e733 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e840 = bitcast<f32>((_e832 & bitcast<u32>(_e837)));
+                                            let _e841 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e748 & 2097151u))) - 8388608f) * _e799));
+                                            let _e846 = (bitcast<i32>((_e748 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e849 = bitcast<f32>((_e841 & bitcast<u32>(_e846)));
+                                            let _e850 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e763 & 2097151u))) - 8388608f) * _e801));
+                                            let _e855 = (bitcast<i32>((_e763 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e858 = bitcast<f32>((_e850 & bitcast<u32>(_e855)));
+                                            let _e862 = bitcast<f32>((_e832 & bitcast<u32>(~(_e837))));
+                                            let _e866 = bitcast<f32>((_e841 & bitcast<u32>(~(_e846))));
+                                            let _e870 = bitcast<f32>((_e850 & bitcast<u32>(~(_e855))));
+                                            let _e871 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 2097151u))) - 8388608f) * _e797));
+                                            let _e876 = (bitcast<i32>((_e740 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e879 = bitcast<f32>((_e871 & bitcast<u32>(_e876)));
+                                            let _e880 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e755 & 2097151u))) - 8388608f) * _e799));
+                                            let _e885 = (bitcast<i32>((_e755 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e888 = bitcast<f32>((_e880 & bitcast<u32>(_e885)));
+                                            let _e889 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e770 & 2097151u))) - 8388608f) * _e801));
+                                            let _e894 = (bitcast<i32>((_e770 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e897 = bitcast<f32>((_e889 & bitcast<u32>(_e894)));
+                                            let _e901 = bitcast<f32>((_e871 & bitcast<u32>(~(_e876))));
+                                            let _e905 = bitcast<f32>((_e880 & bitcast<u32>(~(_e885))));
+                                            let _e909 = bitcast<f32>((_e889 & bitcast<u32>(~(_e894))));
+                                            let _e910 = (_e704.member.member.x + _e840);
+                                            let _e911 = (_e704.member.member.y + _e849);
+                                            let _e912 = (_e704.member.member.z + _e858);
+                                            let _e915 = (_e704.member.member_1.x - _e879);
+                                            let _e916 = (_e704.member.member_1.y - _e888);
+                                            let _e917 = (_e704.member.member_1.z - _e897);
+                                            let _e936 = (_e915 - _e910);
+                                            let _e937 = (_e916 - _e911);
+                                            let _e938 = (_e917 - _e912);
+                                            let _e940 = select(_e937, _e936, (_e936 > _e937));
+                                            let _e942 = select(_e938, _e940, (_e940 > _e938));
+                                            if (_e942 < (1024f * _e144)) {
+                                                phi_3318_ = 0u;
                                             } else {
-                                                phi_3078_ = select(2u, 1u, (_e778 < (2097152f * _e141)));
+                                                phi_3318_ = select(2u, 1u, (_e942 < (2097152f * _e144)));
                                             }
-                                            let _e785 = phi_3078_;
-                                            switch bitcast<i32>(_e785) {
+                                            let _e949 = phi_3318_;
+                                            switch bitcast<i32>(_e949) {
                                                 case 0: {
-                                                    phi_3084_ = 1u;
+                                                    phi_3324_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3084_ = 2u;
+                                                    phi_3324_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3084_ = 3u;
+                                                    phi_3324_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3084_ = u32();
+                                                    phi_3324_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e788 = phi_3084_;
-                                            let _e794 = global_4.member[_e546.member_1][0u];
-                                            let _e798 = global_4.member[_e546.member_1][2u];
-                                            let _e802 = global_4.member[_e546.member_1][4u];
-                                            let _e806 = global_4.member[_e546.member_1][6u];
-                                            let _e818 = (((_e798 >> bitcast<u32>(22i)) | ((_e802 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e806 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e819 = (_e794 & 268435455u);
-                                            let _e820 = (_e818 & 268435455u);
-                                            let _e823 = ((_e794 >> bitcast<u32>(28u)) & 7u);
-                                            let _e831 = ((_e794 >> bitcast<u32>(31i)) | (((_e818 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e832 = (_e823 != 0u);
-                                            if (_e823 == 0u) {
-                                                phi_3339_ = _e819;
+                                            let _e952 = phi_3324_;
+                                            let _e958 = global_4.member[_e704.member_1][0u];
+                                            let _e962 = global_4.member[_e704.member_1][2u];
+                                            let _e966 = global_4.member[_e704.member_1][4u];
+                                            let _e970 = global_4.member[_e704.member_1][6u];
+                                            let _e982 = (((_e962 >> bitcast<u32>(22i)) | ((_e966 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e970 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e983 = (_e958 & 268435455u);
+                                            let _e984 = (_e982 & 268435455u);
+                                            let _e987 = ((_e958 >> bitcast<u32>(28u)) & 7u);
+                                            let _e995 = ((_e958 >> bitcast<u32>(31i)) | (((_e982 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e996 = (_e987 != 0u);
+                                            if (_e987 == 0u) {
+                                                phi_3579_ = _e983;
                                             } else {
-                                                if (_e823 == 7u) {
-                                                    phi_3338_ = 2147483648u;
+                                                if (_e987 == 7u) {
+                                                    phi_3578_ = 2147483648u;
                                                 } else {
-                                                    phi_3338_ = ((2147483648u | (_e823 << bitcast<u32>(28u))) | (_e820 & 268435455u));
+                                                    phi_3578_ = ((2147483648u | (_e987 << bitcast<u32>(28u))) | (_e984 & 268435455u));
                                                 }
-                                                let _e841 = phi_3338_;
-                                                phi_3339_ = _e841;
+                                                let _e1005 = phi_3578_;
+                                                phi_3579_ = _e1005;
                                             }
-                                            let _e843 = phi_3339_;
-                                            if _e832 {
-                                                let _e844 = (_e823 != 7u);
-                                                if _e844 {
-                                                    phi_3349_ = (_e820 + (_e823 * ((3u * _e788) + 1u)));
+                                            let _e1007 = phi_3579_;
+                                            if _e996 {
+                                                let _e1008 = (_e987 != 7u);
+                                                if _e1008 {
+                                                    phi_3589_ = (_e984 + (_e987 * ((3u * _e952) + 1u)));
                                                 } else {
-                                                    phi_3349_ = u32();
+                                                    phi_3589_ = u32();
                                                 }
-                                                let _e848 = phi_3349_;
-                                                phi_3351_ = _e848;
-                                                phi_3352_ = select(true, false, _e844);
+                                                let _e1012 = phi_3589_;
+                                                phi_3591_ = _e1012;
+                                                phi_3592_ = select(true, false, _e1008);
                                             } else {
-                                                phi_3351_ = u32();
-                                                phi_3352_ = true;
+                                                phi_3591_ = u32();
+                                                phi_3592_ = true;
                                             }
-                                            let _e851 = phi_3351_;
-                                            let _e853 = phi_3352_;
-                                            if (_e831 == 0u) {
-                                                phi_3373_ = (_e819 + select(0u, 1u, !(_e832)));
+                                            let _e1015 = phi_3591_;
+                                            let _e1017 = phi_3592_;
+                                            if (_e995 == 0u) {
+                                                phi_3613_ = (_e983 + select(0u, 1u, !(_e996)));
                                             } else {
-                                                if (_e831 == 7u) {
-                                                    phi_3372_ = 2147483648u;
+                                                if (_e995 == 7u) {
+                                                    phi_3612_ = 2147483648u;
                                                 } else {
-                                                    phi_3372_ = ((2147483648u | (_e831 << bitcast<u32>(28u))) | (select(_e851, _e820, _e853) & 268435455u));
+                                                    phi_3612_ = ((2147483648u | (_e995 << bitcast<u32>(28u))) | (select(_e1015, _e984, _e1017) & 268435455u));
                                                 }
-                                                let _e866 = phi_3372_;
-                                                phi_3373_ = _e866;
+                                                let _e1030 = phi_3612_;
+                                                phi_3613_ = _e1030;
                                             }
-                                            let _e868 = phi_3373_;
-                                            phi_3377_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e746, (_e546.member.member.x + _e698), _e751, (_e546.member.member_1.x - _e737)), vec4<f32>(_e747, (_e546.member.member.y + _e702), _e752, (_e546.member.member_1.y - _e741)), vec4<f32>(_e748, (_e546.member.member.z + _e706), _e753, (_e546.member.member_1.z - _e745))), type_50(type_28((_e546.member.member + vec4<f32>(_e676, _e685, _e694, 0f)), (_e546.member.member_1 - vec4<f32>(_e715, _e724, _e733, 0f))), _e843), type_50(type_28((_e546.member.member + vec4<f32>(_e698, _e702, _e706, 0f)), (_e546.member.member_1 - vec4<f32>(_e737, _e741, _e745, 0f))), _e868));
+                                            let _e1032 = phi_3613_;
+                                            phi_3617_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e910, (_e704.member.member.x + _e862), _e915, (_e704.member.member_1.x - _e901)), vec4<f32>(_e911, (_e704.member.member.y + _e866), _e916, (_e704.member.member_1.y - _e905)), vec4<f32>(_e912, (_e704.member.member.z + _e870), _e917, (_e704.member.member_1.z - _e909))), type_50(type_28((_e704.member.member + vec4<f32>(_e840, _e849, _e858, 0f)), (_e704.member.member_1 - vec4<f32>(_e879, _e888, _e897, 0f))), _e1007), type_50(type_28((_e704.member.member + vec4<f32>(_e862, _e866, _e870, 0f)), (_e704.member.member_1 - vec4<f32>(_e901, _e905, _e909, 0f))), _e1032));
                                         }
-                                        let _e873 = phi_3377_;
-                                        let _e886 = ((_e873.member[0].x - _e333) * _e338);
-                                        let _e887 = ((_e873.member[0].y - _e333) * _e338);
-                                        let _e888 = ((_e873.member[0].z - _e334) * _e338);
-                                        let _e889 = ((_e873.member[0].w - _e334) * _e338);
-                                        let _e899 = ((_e873.member[1].x - _e371) * _e376);
-                                        let _e900 = ((_e873.member[1].y - _e371) * _e376);
-                                        let _e901 = ((_e873.member[1].z - _e372) * _e376);
-                                        let _e902 = ((_e873.member[1].w - _e372) * _e376);
-                                        let _e912 = ((_e873.member[2].x - _e409) * _e414);
-                                        let _e913 = ((_e873.member[2].y - _e409) * _e414);
-                                        let _e914 = ((_e873.member[2].z - _e410) * _e414);
-                                        let _e915 = ((_e873.member[2].w - _e410) * _e414);
-                                        let _e917 = select(_e914, _e912, (_e912 < _e914));
-                                        let _e919 = select(_e915, _e913, (_e913 < _e915));
-                                        let _e921 = select(_e914, _e912, (_e912 > _e914));
-                                        let _e923 = select(_e915, _e913, (_e913 > _e915));
-                                        let _e925 = select(_e888, _e886, (_e886 < _e888));
-                                        let _e927 = select(_e889, _e887, (_e887 < _e889));
-                                        let _e929 = select(_e901, _e899, (_e899 < _e901));
-                                        let _e931 = select(_e902, _e900, (_e900 < _e902));
-                                        let _e933 = select(_e929, _e925, (_e925 > _e929));
-                                        let _e935 = select(_e931, _e927, (_e927 > _e931));
-                                        let _e937 = select(_e917, _e933, (_e933 > _e917));
-                                        let _e939 = select(_e919, _e935, (_e935 > _e919));
-                                        let _e941 = select(_e888, _e886, (_e886 > _e888));
-                                        let _e943 = select(_e889, _e887, (_e887 > _e889));
-                                        let _e945 = select(_e901, _e899, (_e899 > _e901));
-                                        let _e947 = select(_e902, _e900, (_e900 > _e902));
-                                        let _e949 = select(_e945, _e941, (_e941 < _e945));
-                                        let _e951 = select(_e947, _e943, (_e943 < _e947));
-                                        let _e956 = -(_e917);
-                                        let _e957 = -(_e919);
-                                        let _e964 = (select(_e921, _e949, (_e949 < _e921)) + (select(_e956, _e921, (_e921 > _e956)) * 0.0000019073523f));
-                                        let _e965 = (select(_e923, _e951, (_e951 < _e923)) + (select(_e957, _e923, (_e923 > _e957)) * 0.0000019073523f));
-                                        let _e967 = select(_e461, _e937, (_e937 > _e461));
-                                        let _e969 = select(_e461, _e939, (_e939 > _e461));
-                                        let _e974 = (_e967 <= select(_e506.member.member_1, _e964, (_e964 < _e506.member.member_1)));
-                                        let _e975 = (_e969 <= select(_e506.member.member_1, _e965, (_e965 < _e506.member.member_1)));
-                                        let _e976 = (_e967 <= _e969);
-                                        if _e974 {
-                                            if _e975 {
-                                                if _e976 {
-                                                    phi_3721_ = _e873.member_2;
+                                        let _e1037 = phi_3617_;
+                                        let _e1050 = ((_e1037.member[0].x - _e366) * _e371);
+                                        let _e1051 = ((_e1037.member[0].y - _e366) * _e371);
+                                        let _e1052 = ((_e1037.member[0].z - _e367) * _e371);
+                                        let _e1053 = ((_e1037.member[0].w - _e367) * _e371);
+                                        let _e1063 = ((_e1037.member[1].x - _e434) * _e439);
+                                        let _e1064 = ((_e1037.member[1].y - _e434) * _e439);
+                                        let _e1065 = ((_e1037.member[1].z - _e435) * _e439);
+                                        let _e1066 = ((_e1037.member[1].w - _e435) * _e439);
+                                        let _e1076 = ((_e1037.member[2].x - _e502) * _e507);
+                                        let _e1077 = ((_e1037.member[2].y - _e502) * _e507);
+                                        let _e1078 = ((_e1037.member[2].z - _e503) * _e507);
+                                        let _e1079 = ((_e1037.member[2].w - _e503) * _e507);
+                                        let _e1081 = select(_e1078, _e1076, (_e1076 < _e1078));
+                                        let _e1083 = select(_e1079, _e1077, (_e1077 < _e1079));
+                                        let _e1085 = select(_e1078, _e1076, (_e1076 > _e1078));
+                                        let _e1087 = select(_e1079, _e1077, (_e1077 > _e1079));
+                                        let _e1089 = select(_e1052, _e1050, (_e1050 < _e1052));
+                                        let _e1091 = select(_e1053, _e1051, (_e1051 < _e1053));
+                                        let _e1093 = select(_e1065, _e1063, (_e1063 < _e1065));
+                                        let _e1095 = select(_e1066, _e1064, (_e1064 < _e1066));
+                                        let _e1097 = select(_e1093, _e1089, (_e1089 > _e1093));
+                                        let _e1099 = select(_e1095, _e1091, (_e1091 > _e1095));
+                                        let _e1101 = select(_e1081, _e1097, (_e1097 > _e1081));
+                                        let _e1103 = select(_e1083, _e1099, (_e1099 > _e1083));
+                                        let _e1105 = select(_e1052, _e1050, (_e1050 > _e1052));
+                                        let _e1107 = select(_e1053, _e1051, (_e1051 > _e1053));
+                                        let _e1109 = select(_e1065, _e1063, (_e1063 > _e1065));
+                                        let _e1111 = select(_e1066, _e1064, (_e1064 > _e1066));
+                                        let _e1113 = select(_e1109, _e1105, (_e1105 < _e1109));
+                                        let _e1115 = select(_e1111, _e1107, (_e1107 < _e1111));
+                                        let _e1120 = -(_e1081);
+                                        let _e1121 = -(_e1083);
+                                        let _e1128 = (select(_e1085, _e1113, (_e1113 < _e1085)) + (select(_e1120, _e1085, (_e1085 > _e1120)) * 0.0000019073523f));
+                                        let _e1129 = (select(_e1087, _e1115, (_e1115 < _e1087)) + (select(_e1121, _e1087, (_e1087 > _e1121)) * 0.0000019073523f));
+                                        let _e1131 = select(_e619, _e1101, (_e1101 > _e619));
+                                        let _e1133 = select(_e619, _e1103, (_e1103 > _e619));
+                                        let _e1138 = (_e1131 <= select(_e664.member.member_1, _e1128, (_e1128 < _e664.member.member_1)));
+                                        let _e1139 = (_e1133 <= select(_e664.member.member_1, _e1129, (_e1129 < _e664.member.member_1)));
+                                        let _e1140 = (_e1131 <= _e1133);
+                                        if _e1138 {
+                                            if _e1139 {
+                                                if _e1140 {
+                                                    phi_3961_ = _e1037.member_2;
                                                 } else {
-                                                    phi_3721_ = _e873.member_1;
+                                                    phi_3961_ = _e1037.member_1;
                                                 }
-                                                let _e980 = phi_3721_;
-                                                let _e1002 = (_e550 % 128u);
-                                                let _e1003 = (_e1002 < 128u);
-                                                if _e1003 {
+                                                let _e1144 = phi_3961_;
+                                                let _e1166 = (_e708 % 128u);
+                                                let _e1167 = (_e1166 < 128u);
+                                                if _e1167 {
                                                 } else {
-                                                    phi_4230_ = true;
+                                                    phi_4496_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1002] = _e980.member_1;
-                                                if _e1003 {
+                                                local_8[_e1166] = _e1144.member_1;
+                                                if _e1167 {
                                                 } else {
-                                                    phi_4230_ = true;
+                                                    phi_4496_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1002] = _e980.member.member.x;
-                                                if _e1003 {
+                                                local_7[_e1166] = _e1144.member.member.x;
+                                                if _e1167 {
                                                 } else {
-                                                    phi_4230_ = true;
+                                                    phi_4496_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1002] = _e980.member.member.y;
-                                                if _e1003 {
+                                                local_6[_e1166] = _e1144.member.member.y;
+                                                if _e1167 {
                                                 } else {
-                                                    phi_4230_ = true;
+                                                    phi_4496_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1002] = _e980.member.member.z;
-                                                if _e1003 {
+                                                local_5[_e1166] = _e1144.member.member.z;
+                                                if _e1167 {
                                                 } else {
-                                                    phi_4230_ = true;
+                                                    phi_4496_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1002] = _e980.member.member_1.x;
-                                                if _e1003 {
+                                                local_4[_e1166] = _e1144.member.member_1.x;
+                                                if _e1167 {
                                                 } else {
-                                                    phi_4230_ = true;
+                                                    phi_4496_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1002] = _e980.member.member_1.y;
-                                                if _e1003 {
+                                                local_3[_e1166] = _e1144.member.member_1.y;
+                                                if _e1167 {
                                                 } else {
-                                                    phi_4230_ = true;
+                                                    phi_4496_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1002] = _e980.member.member_1.z;
-                                                if _e1003 {
+                                                local_2[_e1166] = _e1144.member.member_1.z;
+                                                if _e1167 {
                                                 } else {
-                                                    phi_4230_ = true;
+                                                    phi_4496_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1002] = select(_e969, _e967, (_e967 > _e969));
-                                                if _e976 {
-                                                    phi_3798_ = _e873.member_1;
+                                                local_9[_e1166] = select(_e1133, _e1131, (_e1131 > _e1133));
+                                                if _e1140 {
+                                                    phi_4038_ = _e1037.member_1;
                                                 } else {
-                                                    phi_3798_ = _e873.member_2;
+                                                    phi_4038_ = _e1037.member_2;
                                                 }
-                                                let _e1016 = phi_3798_;
-                                                phi_3799_ = _e1016;
-                                                phi_3800_ = (_e550 + 1u);
+                                                let _e1180 = phi_4038_;
+                                                phi_4039_ = _e1180;
+                                                phi_4040_ = (_e708 + 1u);
                                             } else {
-                                                phi_3799_ = type_50();
-                                                phi_3800_ = u32();
+                                                phi_4039_ = type_50();
+                                                phi_4040_ = u32();
                                             }
-                                            let _e1018 = phi_3799_;
-                                            let _e1020 = phi_3800_;
-                                            phi_3802_ = _e1018;
-                                            phi_3803_ = _e1020;
-                                            phi_3804_ = select(true, false, _e975);
+                                            let _e1182 = phi_4039_;
+                                            let _e1184 = phi_4040_;
+                                            phi_4042_ = _e1182;
+                                            phi_4043_ = _e1184;
+                                            phi_4044_ = select(true, false, _e1139);
                                         } else {
-                                            phi_3802_ = type_50();
-                                            phi_3803_ = u32();
-                                            phi_3804_ = true;
+                                            phi_4042_ = type_50();
+                                            phi_4043_ = u32();
+                                            phi_4044_ = true;
                                         }
-                                        let _e1023 = phi_3802_;
-                                        let _e1025 = phi_3803_;
-                                        let _e1027 = phi_3804_;
-                                        if _e1027 {
-                                            if _e974 {
-                                                phi_3813_ = _e873.member_1;
+                                        let _e1187 = phi_4042_;
+                                        let _e1189 = phi_4043_;
+                                        let _e1191 = phi_4044_;
+                                        if _e1191 {
+                                            if _e1138 {
+                                                phi_4053_ = _e1037.member_1;
                                             } else {
-                                                phi_3813_ = _e873.member_2;
+                                                phi_4053_ = _e1037.member_2;
                                             }
-                                            let _e1031 = phi_3813_;
-                                            phi_3818_ = _e1031;
-                                            phi_3819_ = select(_e975, true, _e974);
+                                            let _e1195 = phi_4053_;
+                                            phi_4058_ = _e1195;
+                                            phi_4059_ = select(_e1139, true, _e1138);
                                         } else {
-                                            phi_3818_ = _e1023;
-                                            phi_3819_ = _e548;
+                                            phi_4058_ = _e1187;
+                                            phi_4059_ = _e706;
                                         }
-                                        let _e1034 = phi_3818_;
-                                        let _e1036 = phi_3819_;
-                                        phi_4234_ = _e504;
-                                        phi_3821_ = type_39(_e506.member, (_e506.member_1 + 1u), _e506.member_2);
-                                        phi_3822_ = _e1034;
-                                        phi_3823_ = _e1036;
-                                        phi_3824_ = select(_e1025, _e550, _e1027);
+                                        let _e1198 = phi_4058_;
+                                        let _e1200 = phi_4059_;
+                                        phi_4500_ = _e662;
+                                        phi_4061_ = type_39(_e664.member, (_e664.member_1 + 1u), _e664.member_2);
+                                        phi_4062_ = _e1198;
+                                        phi_4063_ = _e1200;
+                                        phi_4064_ = select(_e1189, _e708, _e1191);
                                     }
-                                    let _e1974 = phi_4234_;
-                                    let _e1976 = phi_3821_;
-                                    let _e1978 = phi_3822_;
-                                    let _e1980 = phi_3823_;
-                                    let _e1982 = phi_3824_;
-                                    phi_4233_ = _e1974;
-                                    phi_3825_ = _e1976;
-                                    phi_3826_ = _e1978;
-                                    phi_3827_ = (_e510 - 1u);
-                                    phi_3828_ = _e1980;
-                                    phi_3829_ = _e1982;
+                                    let _e2156 = phi_4500_;
+                                    let _e2158 = phi_4061_;
+                                    let _e2160 = phi_4062_;
+                                    let _e2162 = phi_4063_;
+                                    let _e2164 = phi_4064_;
+                                    phi_4499_ = _e2156;
+                                    phi_4065_ = _e2158;
+                                    phi_4066_ = _e2160;
+                                    phi_4067_ = (_e668 - 1u);
+                                    phi_4068_ = _e2162;
+                                    phi_4069_ = _e2164;
                                 } else {
-                                    phi_4233_ = _e504;
-                                    phi_3825_ = _e506;
-                                    phi_3826_ = _e546;
-                                    phi_3827_ = _e510;
-                                    phi_3828_ = _e548;
-                                    phi_3829_ = _e550;
+                                    phi_4499_ = _e662;
+                                    phi_4065_ = _e664;
+                                    phi_4066_ = _e704;
+                                    phi_4067_ = _e668;
+                                    phi_4068_ = _e706;
+                                    phi_4069_ = _e708;
                                 }
-                                let _e1984 = phi_4233_;
-                                let _e1986 = phi_3825_;
-                                let _e1988 = phi_3826_;
-                                let _e1990 = phi_3827_;
-                                let _e1992 = phi_3828_;
-                                let _e1994 = phi_3829_;
-                                phi_4232_ = _e1984;
-                                phi_3830_ = _e1986;
-                                phi_3831_ = _e1988;
-                                phi_3832_ = _e1990;
-                                phi_3833_ = _e1992;
-                                phi_3834_ = _e1994;
+                                let _e2166 = phi_4499_;
+                                let _e2168 = phi_4065_;
+                                let _e2170 = phi_4066_;
+                                let _e2172 = phi_4067_;
+                                let _e2174 = phi_4068_;
+                                let _e2176 = phi_4069_;
+                                phi_4498_ = _e2166;
+                                phi_4070_ = _e2168;
+                                phi_4071_ = _e2170;
+                                phi_4072_ = _e2172;
+                                phi_4073_ = _e2174;
+                                phi_4074_ = _e2176;
                             } else {
-                                phi_4232_ = _e504;
-                                phi_3830_ = type_39();
-                                phi_3831_ = type_50();
-                                phi_3832_ = u32();
-                                phi_3833_ = bool();
-                                phi_3834_ = u32();
+                                phi_4498_ = _e662;
+                                phi_4070_ = type_39();
+                                phi_4071_ = type_50();
+                                phi_4072_ = u32();
+                                phi_4073_ = bool();
+                                phi_4074_ = u32();
                             }
-                            let _e1996 = phi_4232_;
-                            let _e1998 = phi_3830_;
-                            let _e2000 = phi_3831_;
-                            let _e2002 = phi_3832_;
-                            let _e2004 = phi_3833_;
-                            let _e2006 = phi_3834_;
-                            phi_4231_ = _e1996;
-                            phi_855_ = _e1998;
-                            phi_858_ = _e2000;
-                            phi_860_ = _e2002;
-                            phi_862_ = _e2004;
-                            phi_864_ = _e2006;
-                            phi_3835_ = _e518;
+                            let _e2178 = phi_4498_;
+                            let _e2180 = phi_4070_;
+                            let _e2182 = phi_4071_;
+                            let _e2184 = phi_4072_;
+                            let _e2186 = phi_4073_;
+                            let _e2188 = phi_4074_;
+                            phi_4497_ = _e2178;
+                            phi_1077_ = _e2180;
+                            phi_1080_ = _e2182;
+                            phi_1082_ = _e2184;
+                            phi_1084_ = _e2186;
+                            phi_1086_ = _e2188;
+                            phi_4075_ = _e676;
                         } else {
-                            phi_4231_ = _e504;
-                            phi_855_ = type_39();
-                            phi_858_ = type_50();
-                            phi_860_ = u32();
-                            phi_862_ = bool();
-                            phi_864_ = u32();
-                            phi_3835_ = false;
+                            phi_4497_ = _e662;
+                            phi_1077_ = type_39();
+                            phi_1080_ = type_50();
+                            phi_1082_ = u32();
+                            phi_1084_ = bool();
+                            phi_1086_ = u32();
+                            phi_4075_ = false;
                         }
-                        let _e2008 = phi_4231_;
-                        let _e2010 = phi_855_;
-                        let _e2012 = phi_858_;
-                        let _e2014 = phi_860_;
-                        let _e2016 = phi_862_;
-                        let _e2018 = phi_864_;
-                        let _e2020 = phi_3835_;
+                        let _e2190 = phi_4497_;
+                        let _e2192 = phi_1077_;
+                        let _e2194 = phi_1080_;
+                        let _e2196 = phi_1082_;
+                        let _e2198 = phi_1084_;
+                        let _e2200 = phi_1086_;
+                        let _e2202 = phi_4075_;
                         continue;
                         continuing {
-                            phi_4047_ = _e2008;
-                            phi_854_ = _e2010;
-                            phi_857_ = _e2012;
-                            phi_859_ = _e2014;
-                            phi_861_ = _e2016;
-                            phi_863_ = _e2018;
-                            phi_4230_ = _e2008;
-                            break if !(_e2020);
+                            phi_4295_ = _e2190;
+                            phi_1076_ = _e2192;
+                            phi_1079_ = _e2194;
+                            phi_1081_ = _e2196;
+                            phi_1083_ = _e2198;
+                            phi_1085_ = _e2200;
+                            phi_4496_ = _e2190;
+                            break if !(_e2202);
                         }
                     }
-                    let _e2023 = phi_4230_;
-                    if _e2023 {
+                    let _e2205 = phi_4496_;
+                    if _e2205 {
                         break;
                     }
-                    let _e2025 = local_10;
-                    let _e2028 = local_11;
-                    if _e149 {
+                    let _e2207 = local_10;
+                    let _e2210 = local_11;
+                    if _e152 {
                     } else {
                         break;
                     }
-                    global_6.member[_e147][0u] = _e2025.member_1;
-                    global_6.member[_e147][1u] = _e2028.member_2;
+                    global_6.member[_e150][0u] = _e2207.member_1;
+                    global_6.member[_e150][1u] = _e2210.member_2;
                 }
             }
             break;

@@ -72,1264 +72,1440 @@ fn function_() {
     var local: array<type_23, 8>;
     var local_1: array<f32, 128>;
     var local_2: array<u32, 128>;
-    var phi_282_: i32;
-    var phi_283_: i32;
-    var phi_293_: bool;
-    var phi_303_: u32;
-    var phi_304_: u32;
-    var phi_306_: bool;
-    var phi_311_: u32;
-    var phi_323_: i32;
-    var phi_343_: i32;
-    var phi_361_: f32;
-    var phi_367_: f32;
-    var phi_378_: f32;
-    var phi_384_: f32;
-    var phi_407_: f32;
-    var phi_418_: f32;
-    var phi_427_: f32;
-    var phi_433_: f32;
+    var phi_365_: i32;
+    var phi_366_: i32;
+    var phi_376_: bool;
+    var phi_386_: u32;
+    var phi_387_: u32;
+    var phi_389_: bool;
+    var phi_394_: u32;
+    var phi_406_: i32;
+    var phi_426_: i32;
     var phi_444_: f32;
     var phi_450_: f32;
-    var phi_473_: f32;
-    var phi_484_: f32;
-    var phi_493_: f32;
-    var phi_499_: f32;
-    var phi_510_: f32;
-    var phi_516_: f32;
-    var phi_539_: f32;
-    var phi_550_: f32;
-    var phi_650_: f32;
-    var phi_651_: f32;
-    var phi_2543_: bool;
-    var phi_2523_: f32;
-    var phi_715_: u32;
-    var phi_718_: u32;
-    var phi_720_: bool;
-    var phi_722_: u32;
-    var phi_733_: bool;
-    var phi_766_: u32;
-    var phi_767_: bool;
-    var phi_768_: u32;
-    var phi_1921_: type_39;
-    var phi_2266_: u32;
-    var phi_2294_: u32;
-    var phi_2295_: u32;
-    var phi_2296_: u32;
-    var phi_2298_: u32;
-    var phi_2299_: u32;
-    var phi_2300_: bool;
-    var phi_2309_: u32;
-    var phi_2314_: u32;
-    var phi_2315_: bool;
-    var phi_2540_: bool;
-    var phi_2530_: f32;
-    var phi_783_: type_4;
-    var phi_784_: type_4;
-    var phi_807_: type_4;
-    var phi_828_: u32;
-    var phi_917_: array<array<f32, 3>, 3>;
-    var phi_1035_: bool;
-    var phi_1064_: bool;
-    var phi_1465_: f32;
-    var phi_1466_: f32;
-    var phi_1467_: f32;
-    var phi_1468_: f32;
-    var phi_1469_: vec3<f32>;
-    var phi_1470_: vec3<f32>;
-    var phi_1471_: vec3<f32>;
-    var phi_1472_: vec3<f32>;
-    var phi_1503_: bool;
-    var phi_1512_: vec3<f32>;
-    var phi_1677_: f32;
-    var phi_1679_: f32;
-    var phi_1680_: bool;
-    var phi_1700_: f32;
-    var phi_1701_: f32;
-    var phi_1724_: type_23;
-    var phi_1726_: type_23;
-    var phi_1727_: bool;
-    var phi_1731_: type_23;
-    var phi_1732_: type_23;
-    var phi_1733_: type_23;
-    var phi_1734_: bool;
-    var phi_1738_: type_23;
-    var phi_1739_: bool;
-    var phi_1740_: type_23;
-    var phi_1741_: bool;
-    var phi_1742_: bool;
-    var phi_1743_: type_23;
-    var phi_1744_: bool;
-    var phi_1745_: bool;
-    var phi_1753_: type_23;
-    var phi_1754_: bool;
-    var phi_1758_: type_23;
-    var phi_1770_: type_4;
-    var phi_1773_: type_23;
-    var phi_1771_: type_4;
-    var phi_1796_: type_4;
-    var phi_1828_: bool;
-    var phi_1829_: bool;
-    var phi_1850_: type_23;
-    var phi_1774_: type_23;
-    var phi_2531_: bool;
-    var phi_2854_: f32;
-    var phi_2853_: f32;
-    var phi_2676_: bool;
-    var phi_2852_: f32;
-    var phi_2675_: bool;
-    var phi_2851_: f32;
-    var phi_2674_: bool;
-    var phi_2763_: f32;
-    var phi_2673_: bool;
-    var phi_2728_: f32;
-    var phi_2682_: bool;
-    var phi_2317_: u32;
-    var phi_2318_: bool;
-    var phi_2319_: u32;
-    var phi_2727_: f32;
-    var phi_2681_: bool;
-    var phi_2320_: u32;
-    var phi_2321_: u32;
-    var phi_2322_: bool;
-    var phi_2323_: u32;
-    var phi_2726_: f32;
-    var phi_2680_: bool;
-    var phi_2324_: u32;
-    var phi_2325_: u32;
-    var phi_2326_: bool;
-    var phi_2327_: u32;
-    var phi_2725_: f32;
-    var phi_2679_: bool;
-    var phi_716_: u32;
-    var phi_719_: u32;
-    var phi_721_: bool;
-    var phi_723_: u32;
-    var phi_2328_: bool;
-    var phi_2678_: bool;
-    var phi_2335_: type_4;
-    var phi_2336_: type_4;
-    var phi_2359_: type_4;
-    var phi_2425_: type_23;
-    var phi_2718_: bool;
+    var phi_490_: f32;
+    var phi_496_: f32;
+    var phi_548_: f32;
+    var phi_559_: f32;
+    var phi_568_: f32;
+    var phi_574_: f32;
+    var phi_614_: f32;
+    var phi_620_: f32;
+    var phi_672_: f32;
+    var phi_683_: f32;
+    var phi_692_: f32;
+    var phi_698_: f32;
+    var phi_738_: f32;
+    var phi_744_: f32;
+    var phi_796_: f32;
+    var phi_807_: f32;
+    var phi_862_: i32;
+    var phi_884_: u32;
+    var phi_885_: u32;
+    var phi_922_: i32;
+    var phi_944_: u32;
+    var phi_945_: u32;
+    var phi_953_: f32;
+    var phi_954_: f32;
+    var phi_2944_: bool;
+    var phi_2924_: f32;
+    var phi_1018_: u32;
+    var phi_1021_: u32;
+    var phi_1023_: bool;
+    var phi_1025_: u32;
+    var phi_1036_: bool;
+    var phi_1069_: u32;
+    var phi_1070_: bool;
+    var phi_1071_: u32;
+    var phi_2224_: type_39;
+    var phi_2569_: u32;
+    var phi_2597_: u32;
+    var phi_2598_: u32;
+    var phi_2599_: u32;
+    var phi_2601_: u32;
+    var phi_2602_: u32;
+    var phi_2603_: bool;
+    var phi_2612_: u32;
+    var phi_2617_: u32;
+    var phi_2618_: bool;
+    var phi_2941_: bool;
+    var phi_2931_: f32;
+    var phi_1086_: type_4;
+    var phi_1087_: type_4;
+    var phi_1110_: type_4;
+    var phi_1131_: u32;
+    var phi_1220_: array<array<f32, 3>, 3>;
+    var phi_1338_: bool;
+    var phi_1367_: bool;
+    var phi_1768_: f32;
+    var phi_1769_: f32;
+    var phi_1770_: f32;
+    var phi_1771_: f32;
+    var phi_1772_: vec3<f32>;
+    var phi_1773_: vec3<f32>;
+    var phi_1774_: vec3<f32>;
+    var phi_1775_: vec3<f32>;
+    var phi_1806_: bool;
+    var phi_1815_: vec3<f32>;
+    var phi_1980_: f32;
+    var phi_1982_: f32;
+    var phi_1983_: bool;
+    var phi_2003_: f32;
+    var phi_2004_: f32;
+    var phi_2027_: type_23;
+    var phi_2029_: type_23;
+    var phi_2030_: bool;
+    var phi_2034_: type_23;
+    var phi_2035_: type_23;
+    var phi_2036_: type_23;
+    var phi_2037_: bool;
+    var phi_2041_: type_23;
+    var phi_2042_: bool;
+    var phi_2043_: type_23;
+    var phi_2044_: bool;
+    var phi_2045_: bool;
+    var phi_2046_: type_23;
+    var phi_2047_: bool;
+    var phi_2048_: bool;
+    var phi_2056_: type_23;
+    var phi_2057_: bool;
+    var phi_2061_: type_23;
+    var phi_2073_: type_4;
+    var phi_2076_: type_23;
+    var phi_2074_: type_4;
+    var phi_2099_: type_4;
+    var phi_2131_: bool;
+    var phi_2132_: bool;
+    var phi_2153_: type_23;
+    var phi_2077_: type_23;
+    var phi_2932_: bool;
+    var phi_3284_: f32;
+    var phi_3283_: f32;
+    var phi_3095_: bool;
+    var phi_3282_: f32;
+    var phi_3094_: bool;
+    var phi_3281_: f32;
+    var phi_3093_: bool;
+    var phi_3193_: f32;
+    var phi_3092_: bool;
+    var phi_3158_: f32;
+    var phi_3101_: bool;
+    var phi_2620_: u32;
+    var phi_2621_: bool;
+    var phi_2622_: u32;
+    var phi_3157_: f32;
+    var phi_3100_: bool;
+    var phi_2623_: u32;
+    var phi_2624_: u32;
+    var phi_2625_: bool;
+    var phi_2626_: u32;
+    var phi_3156_: f32;
+    var phi_3099_: bool;
+    var phi_2627_: u32;
+    var phi_2628_: u32;
+    var phi_2629_: bool;
+    var phi_2630_: u32;
+    var phi_3155_: f32;
+    var phi_3098_: bool;
+    var phi_1019_: u32;
+    var phi_1022_: u32;
+    var phi_1024_: bool;
+    var phi_1026_: u32;
+    var phi_2631_: bool;
+    var phi_3097_: bool;
+    var phi_2638_: type_4;
+    var phi_2639_: type_4;
+    var phi_2662_: type_4;
+    var phi_2714_: f32;
+    var phi_2716_: f32;
+    var phi_2717_: bool;
+    var phi_2718_: f32;
+    var phi_2719_: bool;
+    var phi_2858_: u32;
+    var phi_2876_: bool;
+    var phi_2879_: bool;
+    var phi_2892_: f32;
+    var phi_2893_: f32;
+    var phi_2898_: f32;
+    var phi_2899_: f32;
+    var phi_2900_: bool;
+    var phi_2908_: f32;
+    var phi_2734_: f32;
+    var phi_2735_: f32;
+    var phi_2747_: f32;
+    var phi_2752_: type_23;
+    var phi_3137_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e69 = global;
-            let _e71 = arrayLength((&global_2.member));
-            let _e73 = arrayLength((&global_3.member));
-            let _e81 = (_e69.x + (_e69.y * 2097152u));
-            let _e84 = global_1.member[0u];
-            let _e85 = bitcast<i32>(_e84);
-            let _e86 = (_e81 < arrayLength((&global_4.member)));
-            if _e86 {
-                let _e87 = (_e81 < arrayLength((&global_5.member)));
-                if _e87 {
-                    if _e86 {
+            let _e76 = global;
+            let _e78 = arrayLength((&global_2.member));
+            let _e80 = arrayLength((&global_3.member));
+            let _e88 = (_e76.x + (_e76.y * 2097152u));
+            let _e91 = global_1.member[0u];
+            let _e92 = bitcast<i32>(_e91);
+            let _e93 = (_e88 < arrayLength((&global_4.member)));
+            if _e93 {
+                let _e94 = (_e88 < arrayLength((&global_5.member)));
+                if _e94 {
+                    if _e93 {
                     } else {
                         break;
                     }
-                    let _e95 = global_4.member[_e81].member_2[0u];
-                    let _e97 = (bitcast<u32>(_e95) & 2147483647u);
-                    let _e102 = global_4.member[_e81].member_2[1u];
+                    let _e102 = global_4.member[_e88].member_2[0u];
                     let _e104 = (bitcast<u32>(_e102) & 2147483647u);
-                    let _e109 = global_4.member[_e81].member_2[2u];
+                    let _e109 = global_4.member[_e88].member_2[1u];
                     let _e111 = (bitcast<u32>(_e109) & 2147483647u);
-                    let _e116 = global_4.member[_e81].member[0u];
+                    let _e116 = global_4.member[_e88].member_2[2u];
                     let _e118 = (bitcast<u32>(_e116) & 2147483647u);
-                    let _e123 = global_4.member[_e81].member[1u];
+                    let _e123 = global_4.member[_e88].member[0u];
                     let _e125 = (bitcast<u32>(_e123) & 2147483647u);
-                    let _e130 = global_4.member[_e81].member[2u];
+                    let _e130 = global_4.member[_e88].member[1u];
                     let _e132 = (bitcast<u32>(_e130) & 2147483647u);
-                    let _e134 = select(_e104, _e97, (_e104 < _e97));
-                    let _e136 = select(_e111, _e134, (_e111 < _e134));
-                    let _e138 = select(_e118, _e136, (_e118 < _e136));
-                    let _e140 = select(_e125, _e138, (_e125 < _e138));
-                    let _e142 = select(_e132, _e140, (_e132 < _e140));
-                    let _e146 = global_4.member[_e81].member_1;
-                    let _e148 = (bitcast<u32>(_e146) & 2147483647u);
-                    let _e155 = global_4.member[_e81].member_3;
-                    let _e161 = (((select(_e148, _e142, (_e148 < _e142)) < 2139095040u) && ((bitcast<u32>(_e155) & 2147483647u) <= 2139095040u)) && (_e136 > 0u));
-                    if _e161 {
-                        let _e164 = (bitcast<u32>(bitcast<f32>(_e136)) & 2147483647u);
-                        if (_e164 >= 8388608u) {
-                            phi_282_ = (bitcast<i32>((_e164 >> bitcast<u32>(23i))) - 127i);
+                    let _e137 = global_4.member[_e88].member[2u];
+                    let _e139 = (bitcast<u32>(_e137) & 2147483647u);
+                    let _e141 = select(_e111, _e104, (_e111 < _e104));
+                    let _e143 = select(_e118, _e141, (_e118 < _e141));
+                    let _e145 = select(_e125, _e143, (_e125 < _e143));
+                    let _e147 = select(_e132, _e145, (_e132 < _e145));
+                    let _e149 = select(_e139, _e147, (_e139 < _e147));
+                    let _e153 = global_4.member[_e88].member_1;
+                    let _e154 = bitcast<u32>(_e153);
+                    let _e155 = (_e154 & 2147483647u);
+                    let _e162 = global_4.member[_e88].member_3;
+                    let _e163 = bitcast<u32>(_e162);
+                    let _e164 = (_e163 & 2147483647u);
+                    let _e168 = (((select(_e155, _e149, (_e155 < _e149)) < 2139095040u) && (_e164 <= 2139095040u)) && (_e143 > 0u));
+                    if _e168 {
+                        let _e171 = (bitcast<u32>(bitcast<f32>(_e143)) & 2147483647u);
+                        if (_e171 >= 8388608u) {
+                            phi_365_ = (bitcast<i32>((_e171 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_282_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e164)), 32u, (_e164 == 0u))));
+                            phi_365_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e171)), 32u, (_e171 == 0u))));
                         }
-                        let _e178 = phi_282_;
-                        phi_283_ = _e178;
+                        let _e185 = phi_365_;
+                        phi_366_ = _e185;
                     } else {
-                        phi_283_ = 0i;
+                        phi_366_ = 0i;
                     }
-                    let _e180 = phi_283_;
-                    let _e181 = (_e97 == _e136);
-                    if _e181 {
-                        phi_293_ = true;
+                    let _e187 = phi_366_;
+                    let _e188 = (_e104 == _e143);
+                    if _e188 {
+                        phi_376_ = true;
                     } else {
-                        phi_293_ = (_e104 == _e136);
+                        phi_376_ = (_e111 == _e143);
                     }
-                    let _e184 = phi_293_;
-                    let _e185 = select(1u, 0u, _e181);
-                    if _e184 {
-                        let _e186 = (_e185 + 1u);
-                        phi_303_ = _e186;
-                        phi_304_ = _e186;
-                        phi_306_ = select(true, false, (_e186 == 2u));
+                    let _e191 = phi_376_;
+                    let _e192 = select(1u, 0u, _e188);
+                    if _e191 {
+                        let _e193 = (_e192 + 1u);
+                        phi_386_ = _e193;
+                        phi_387_ = _e193;
+                        phi_389_ = select(true, false, (_e193 == 2u));
                     } else {
-                        phi_303_ = u32();
-                        phi_304_ = 0u;
-                        phi_306_ = true;
+                        phi_386_ = u32();
+                        phi_387_ = 0u;
+                        phi_389_ = true;
                     }
-                    let _e190 = phi_303_;
-                    let _e192 = phi_304_;
-                    let _e194 = phi_306_;
-                    if _e194 {
-                        phi_311_ = (_e192 + 1u);
+                    let _e197 = phi_386_;
+                    let _e199 = phi_387_;
+                    let _e201 = phi_389_;
+                    if _e201 {
+                        phi_394_ = (_e199 + 1u);
                     } else {
-                        phi_311_ = 0u;
+                        phi_394_ = 0u;
                     }
-                    let _e198 = phi_311_;
-                    let _e199 = select(_e190, _e192, _e194);
-                    let _e200 = select(_e185, select(2u, _e185, _e184), _e194);
-                    if (_e85 < -126i) {
-                        phi_323_ = -126i;
+                    let _e205 = phi_394_;
+                    let _e206 = select(_e197, _e199, _e201);
+                    let _e207 = select(_e192, select(2u, _e192, _e191), _e201);
+                    if (_e92 < -126i) {
+                        phi_406_ = -126i;
                     } else {
-                        phi_323_ = select(_e85, 127i, (_e85 > 127i));
+                        phi_406_ = select(_e92, 127i, (_e92 > 127i));
                     }
-                    let _e205 = phi_323_;
-                    let _e210 = bitcast<f32>((bitcast<u32>((_e205 + 127i)) << bitcast<u32>(23i)));
-                    let _e216 = bitcast<f32>((bitcast<u32>(((_e85 - _e205) + 127i)) << bitcast<u32>(23i)));
-                    let _e217 = -(_e180);
-                    if (_e217 < -126i) {
-                        phi_343_ = -126i;
+                    let _e212 = phi_406_;
+                    let _e217 = bitcast<f32>((bitcast<u32>((_e212 + 127i)) << bitcast<u32>(23i)));
+                    let _e223 = bitcast<f32>((bitcast<u32>(((_e92 - _e212) + 127i)) << bitcast<u32>(23i)));
+                    let _e224 = -(_e187);
+                    if (_e224 < -126i) {
+                        phi_426_ = -126i;
                     } else {
-                        phi_343_ = select(_e217, 127i, (_e217 > 127i));
+                        phi_426_ = select(_e224, 127i, (_e224 > 127i));
                     }
-                    let _e222 = phi_343_;
-                    let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
-                    let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
-                    let _e237 = global_4.member[_e81].member;
-                    let _e238 = (_e199 == 0u);
-                    if _e238 {
-                        phi_361_ = _e237[0];
+                    let _e229 = phi_426_;
+                    let _e234 = bitcast<f32>((bitcast<u32>((_e229 + 127i)) << bitcast<u32>(23i)));
+                    let _e240 = bitcast<f32>((bitcast<u32>(((_e224 - _e229) + 127i)) << bitcast<u32>(23i)));
+                    let _e244 = global_4.member[_e88].member;
+                    let _e245 = (_e206 == 0u);
+                    if _e245 {
+                        phi_444_ = _e244[0];
                     } else {
-                        phi_361_ = _e237[1];
+                        phi_444_ = _e244[1];
                     }
-                    let _e242 = phi_361_;
-                    let _e243 = (_e199 == 2u);
-                    if _e243 {
-                        phi_367_ = _e237[2];
+                    let _e249 = phi_444_;
+                    let _e250 = (_e206 == 2u);
+                    if _e250 {
+                        phi_450_ = _e244[2];
                     } else {
-                        phi_367_ = _e242;
+                        phi_450_ = _e249;
                     }
-                    let _e246 = phi_367_;
-                    let _e248 = ((_e246 * _e210) * _e216);
-                    let _e249 = global_4.member[_e81].member_2;
-                    if _e238 {
-                        phi_378_ = _e249[0];
+                    let _e253 = phi_450_;
+                    let _e254 = bitcast<u32>(_e253);
+                    let _e256 = ((_e254 & 2139095040u) != 0u);
+                    let _e270 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e254 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e254 & 2147483648u))), _e253, _e256) * _e217) * select(0.00000011920929f, 1f, _e256)) * _e223);
+                    let _e271 = global_4.member[_e88].member_2;
+                    if _e245 {
+                        phi_490_ = _e271[0];
                     } else {
-                        phi_378_ = _e249[1];
+                        phi_490_ = _e271[1];
                     }
-                    let _e253 = phi_378_;
-                    if _e243 {
-                        phi_384_ = _e249[2];
+                    let _e275 = phi_490_;
+                    if _e250 {
+                        phi_496_ = _e271[2];
                     } else {
-                        phi_384_ = _e253;
+                        phi_496_ = _e275;
                     }
-                    let _e256 = phi_384_;
-                    let _e258 = ((_e256 * _e227) * _e233);
-                    let _e262 = (bitcast<f32>((bitcast<u32>(_e258) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e262 {
-                        let _e266 = (bitcast<f32>((bitcast<u32>(_e248) & 2147483647u)) * 0.00000011920929f);
-                        phi_407_ = select(0.00000000000011368684f, _e266, (_e266 > 0.00000000000011368684f));
+                    let _e278 = phi_496_;
+                    let _e279 = bitcast<u32>(_e278);
+                    let _e281 = ((_e279 & 2139095040u) != 0u);
+                    let _e295 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e279 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e279 & 2147483648u))), _e278, _e281) * _e234) * select(0.00000011920929f, 1f, _e281)) * _e240);
+                    let _e299 = (bitcast<f32>((bitcast<u32>(_e295) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e299 {
+                        let _e303 = (bitcast<f32>((bitcast<u32>(_e270) & 2147483647u)) * 0.00000011920929f);
+                        phi_548_ = select(0.00000000000011368684f, _e303, (_e303 > 0.00000000000011368684f));
                     } else {
-                        phi_407_ = 0f;
+                        phi_548_ = 0f;
                     }
-                    let _e270 = phi_407_;
-                    let _e271 = (_e248 + _e270);
-                    let _e272 = (_e248 - _e270);
-                    let _e273 = select(_e258, 0f, _e262);
-                    if _e262 {
-                        phi_418_ = 38685626000000000000000000f;
+                    let _e307 = phi_548_;
+                    let _e308 = (_e270 + _e307);
+                    let _e309 = (_e270 - _e307);
+                    let _e310 = select(_e295, 0f, _e299);
+                    if _e299 {
+                        phi_559_ = 38685626000000000000000000f;
                     } else {
-                        phi_418_ = (1f / _e258);
+                        phi_559_ = (1f / _e295);
                     }
-                    let _e276 = phi_418_;
-                    let _e277 = (_e198 == 0u);
-                    if _e277 {
-                        phi_427_ = _e237[0];
+                    let _e313 = phi_559_;
+                    let _e314 = (_e205 == 0u);
+                    if _e314 {
+                        phi_568_ = _e244[0];
                     } else {
-                        phi_427_ = _e237[1];
+                        phi_568_ = _e244[1];
                     }
-                    let _e281 = phi_427_;
-                    let _e282 = (_e198 == 2u);
-                    if _e282 {
-                        phi_433_ = _e237[2];
+                    let _e318 = phi_568_;
+                    let _e319 = (_e205 == 2u);
+                    if _e319 {
+                        phi_574_ = _e244[2];
                     } else {
-                        phi_433_ = _e281;
+                        phi_574_ = _e318;
                     }
-                    let _e285 = phi_433_;
-                    let _e287 = ((_e285 * _e210) * _e216);
-                    if _e277 {
-                        phi_444_ = _e249[0];
+                    let _e322 = phi_574_;
+                    let _e323 = bitcast<u32>(_e322);
+                    let _e325 = ((_e323 & 2139095040u) != 0u);
+                    let _e339 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e323 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e323 & 2147483648u))), _e322, _e325) * _e217) * select(0.00000011920929f, 1f, _e325)) * _e223);
+                    if _e314 {
+                        phi_614_ = _e271[0];
                     } else {
-                        phi_444_ = _e249[1];
+                        phi_614_ = _e271[1];
                     }
-                    let _e291 = phi_444_;
-                    if _e282 {
-                        phi_450_ = _e249[2];
+                    let _e343 = phi_614_;
+                    if _e319 {
+                        phi_620_ = _e271[2];
                     } else {
-                        phi_450_ = _e291;
+                        phi_620_ = _e343;
                     }
-                    let _e294 = phi_450_;
-                    let _e296 = ((_e294 * _e227) * _e233);
-                    let _e300 = (bitcast<f32>((bitcast<u32>(_e296) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e300 {
-                        let _e304 = (bitcast<f32>((bitcast<u32>(_e287) & 2147483647u)) * 0.00000011920929f);
-                        phi_473_ = select(0.00000000000011368684f, _e304, (_e304 > 0.00000000000011368684f));
+                    let _e346 = phi_620_;
+                    let _e347 = bitcast<u32>(_e346);
+                    let _e349 = ((_e347 & 2139095040u) != 0u);
+                    let _e363 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e347 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e347 & 2147483648u))), _e346, _e349) * _e234) * select(0.00000011920929f, 1f, _e349)) * _e240);
+                    let _e367 = (bitcast<f32>((bitcast<u32>(_e363) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e367 {
+                        let _e371 = (bitcast<f32>((bitcast<u32>(_e339) & 2147483647u)) * 0.00000011920929f);
+                        phi_672_ = select(0.00000000000011368684f, _e371, (_e371 > 0.00000000000011368684f));
                     } else {
-                        phi_473_ = 0f;
+                        phi_672_ = 0f;
                     }
-                    let _e308 = phi_473_;
-                    let _e309 = (_e287 + _e308);
-                    let _e310 = (_e287 - _e308);
-                    let _e311 = select(_e296, 0f, _e300);
-                    if _e300 {
-                        phi_484_ = 38685626000000000000000000f;
+                    let _e375 = phi_672_;
+                    let _e376 = (_e339 + _e375);
+                    let _e377 = (_e339 - _e375);
+                    let _e378 = select(_e363, 0f, _e367);
+                    if _e367 {
+                        phi_683_ = 38685626000000000000000000f;
                     } else {
-                        phi_484_ = (1f / _e296);
+                        phi_683_ = (1f / _e363);
                     }
-                    let _e314 = phi_484_;
-                    let _e315 = (_e200 == 0u);
-                    if _e315 {
-                        phi_493_ = _e237[0];
+                    let _e381 = phi_683_;
+                    let _e382 = (_e207 == 0u);
+                    if _e382 {
+                        phi_692_ = _e244[0];
                     } else {
-                        phi_493_ = _e237[1];
+                        phi_692_ = _e244[1];
                     }
-                    let _e319 = phi_493_;
-                    let _e320 = (_e200 == 2u);
-                    if _e320 {
-                        phi_499_ = _e237[2];
+                    let _e386 = phi_692_;
+                    let _e387 = (_e207 == 2u);
+                    if _e387 {
+                        phi_698_ = _e244[2];
                     } else {
-                        phi_499_ = _e319;
+                        phi_698_ = _e386;
                     }
-                    let _e323 = phi_499_;
-                    let _e325 = ((_e323 * _e210) * _e216);
-                    if _e315 {
-                        phi_510_ = _e249[0];
+                    let _e390 = phi_698_;
+                    let _e391 = bitcast<u32>(_e390);
+                    let _e393 = ((_e391 & 2139095040u) != 0u);
+                    let _e407 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e391 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e391 & 2147483648u))), _e390, _e393) * _e217) * select(0.00000011920929f, 1f, _e393)) * _e223);
+                    if _e382 {
+                        phi_738_ = _e271[0];
                     } else {
-                        phi_510_ = _e249[1];
+                        phi_738_ = _e271[1];
                     }
-                    let _e329 = phi_510_;
-                    if _e320 {
-                        phi_516_ = _e249[2];
+                    let _e411 = phi_738_;
+                    if _e387 {
+                        phi_744_ = _e271[2];
                     } else {
-                        phi_516_ = _e329;
+                        phi_744_ = _e411;
                     }
-                    let _e332 = phi_516_;
-                    let _e334 = ((_e332 * _e227) * _e233);
-                    let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e338 {
-                        let _e342 = (bitcast<f32>((bitcast<u32>(_e325) & 2147483647u)) * 0.00000011920929f);
-                        phi_539_ = select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f));
+                    let _e414 = phi_744_;
+                    let _e415 = bitcast<u32>(_e414);
+                    let _e417 = ((_e415 & 2139095040u) != 0u);
+                    let _e431 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e415 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e415 & 2147483648u))), _e414, _e417) * _e234) * select(0.00000011920929f, 1f, _e417)) * _e240);
+                    let _e435 = (bitcast<f32>((bitcast<u32>(_e431) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e435 {
+                        let _e439 = (bitcast<f32>((bitcast<u32>(_e407) & 2147483647u)) * 0.00000011920929f);
+                        phi_796_ = select(0.00000000000011368684f, _e439, (_e439 > 0.00000000000011368684f));
                     } else {
-                        phi_539_ = 0f;
+                        phi_796_ = 0f;
                     }
-                    let _e346 = phi_539_;
-                    let _e347 = (_e325 + _e346);
-                    let _e348 = (_e325 - _e346);
-                    let _e349 = select(_e334, 0f, _e338);
-                    if _e338 {
-                        phi_550_ = 38685626000000000000000000f;
+                    let _e443 = phi_796_;
+                    let _e444 = (_e407 + _e443);
+                    let _e445 = (_e407 - _e443);
+                    let _e446 = select(_e431, 0f, _e435);
+                    if _e435 {
+                        phi_807_ = 38685626000000000000000000f;
                     } else {
-                        phi_550_ = (1f / _e334);
+                        phi_807_ = (1f / _e431);
                     }
-                    let _e352 = phi_550_;
-                    let _e355 = bitcast<f32>((bitcast<u32>(_e248) & 2147483647u));
-                    let _e358 = bitcast<f32>((bitcast<u32>(_e287) & 2147483647u));
-                    let _e360 = select(_e358, _e355, (_e355 > _e358));
-                    let _e363 = bitcast<f32>((bitcast<u32>(_e325) & 2147483647u));
-                    let _e366 = (_e85 + _e180);
-                    if (_e161 && (select(_e363, _e360, (_e360 > _e363)) <= 1099511600000f)) {
-                        let _e369 = (_e366 / 3i);
-                        let _e376 = bitcast<f32>((bitcast<u32>((_e369 + 127i)) << bitcast<u32>(23i)));
-                        let _e383 = bitcast<f32>((bitcast<u32>(((_e366 - (2i * _e369)) + 127i)) << bitcast<u32>(23i)));
-                        let _e384 = (((_e146 * _e376) * _e376) * _e383);
-                        let _e386 = select(340282350000000000000000000000000000000f, _e384, (_e384 < 340282350000000000000000000000000000000f));
-                        let _e391 = (((_e155 * _e376) * _e376) * _e383);
-                        let _e393 = select(340282350000000000000000000000000000000f, _e391, (_e391 < 340282350000000000000000000000000000000f));
-                        phi_650_ = select(-340282350000000000000000000000000000000f, _e393, (_e393 > -340282350000000000000000000000000000000f));
-                        phi_651_ = select(-340282350000000000000000000000000000000f, _e386, (_e386 > -340282350000000000000000000000000000000f));
+                    let _e449 = phi_807_;
+                    let _e452 = bitcast<f32>((bitcast<u32>(_e270) & 2147483647u));
+                    let _e455 = bitcast<f32>((bitcast<u32>(_e339) & 2147483647u));
+                    let _e457 = select(_e455, _e452, (_e452 > _e455));
+                    let _e460 = bitcast<f32>((bitcast<u32>(_e407) & 2147483647u));
+                    let _e463 = (_e92 + _e187);
+                    if (_e168 && (select(_e460, _e457, (_e457 > _e460)) <= 1099511600000f)) {
+                        let _e473 = ((_e155 & 8388607u) | (select(0u, 1u, ((_e155 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e476 = bitcast<i32>((_e155 >> bitcast<u32>(23i)));
+                        let _e480 = (_e473 == 0u);
+                        let _e483 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e473)), 32u, _e480)) - 8i);
+                        if (_e476 == 255i) {
+                            phi_862_ = 255i;
+                        } else {
+                            phi_862_ = (((_e476 + select(0i, 1i, (_e476 == 0i))) - _e483) + _e463);
+                        }
+                        let _e491 = phi_862_;
+                        let _e501 = (_e491 <= 0i);
+                        if _e501 {
+                            phi_885_ = u32();
+                        } else {
+                            if _e480 {
+                                phi_884_ = u32();
+                            } else {
+                                phi_884_ = select(((bitcast<u32>(_e491) << bitcast<u32>(23i)) | ((_e473 << bitcast<u32>(((_e483 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e491 >= 255i));
+                            }
+                            let _e505 = phi_884_;
+                            phi_885_ = _e505;
+                        }
+                        let _e507 = phi_885_;
+                        let _e519 = ((_e164 & 8388607u) | (select(0u, 1u, ((_e164 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e522 = bitcast<i32>((_e164 >> bitcast<u32>(23i)));
+                        let _e526 = (_e519 == 0u);
+                        let _e529 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e519)), 32u, _e526)) - 8i);
+                        if (_e522 == 255i) {
+                            phi_922_ = 255i;
+                        } else {
+                            phi_922_ = (((_e522 + select(0i, 1i, (_e522 == 0i))) - _e529) + _e463);
+                        }
+                        let _e537 = phi_922_;
+                        let _e547 = (_e537 <= 0i);
+                        if _e547 {
+                            phi_945_ = u32();
+                        } else {
+                            if _e526 {
+                                phi_944_ = u32();
+                            } else {
+                                phi_944_ = select(((bitcast<u32>(_e537) << bitcast<u32>(23i)) | ((_e519 << bitcast<u32>(((_e529 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e537 >= 255i));
+                            }
+                            let _e551 = phi_944_;
+                            phi_945_ = _e551;
+                        }
+                        let _e553 = phi_945_;
+                        phi_953_ = bitcast<f32>(((_e163 & 2147483648u) | select(_e553, 0u, select(_e526, true, _e547))));
+                        phi_954_ = bitcast<f32>(((_e154 & 2147483648u) | select(_e507, 0u, select(_e480, true, _e501))));
                     } else {
-                        phi_650_ = 0f;
-                        phi_651_ = 1f;
+                        phi_953_ = 0f;
+                        phi_954_ = 1f;
                     }
-                    let _e397 = phi_650_;
-                    let _e399 = phi_651_;
+                    let _e559 = phi_953_;
+                    let _e561 = phi_954_;
                     local = array<type_23, 8>(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_2 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2543_ = false;
-                    phi_2523_ = _e397;
-                    phi_715_ = select(0u, 2147483648u, (_e71 == 0u));
-                    phi_718_ = ((3u * _e71) + 1u);
-                    phi_720_ = (_e399 <= _e397);
-                    phi_722_ = 0u;
+                    phi_2944_ = false;
+                    phi_2924_ = _e559;
+                    phi_1018_ = select(0u, 2147483648u, (_e78 == 0u));
+                    phi_1021_ = ((3u * _e78) + 1u);
+                    phi_1023_ = (_e561 <= _e559);
+                    phi_1025_ = 0u;
                     loop {
-                        let _e406 = phi_2543_;
-                        let _e408 = phi_2523_;
-                        let _e410 = phi_715_;
-                        let _e412 = phi_718_;
-                        let _e414 = phi_720_;
-                        let _e416 = phi_722_;
-                        if _e414 {
-                            phi_733_ = true;
+                        let _e568 = phi_2944_;
+                        let _e570 = phi_2924_;
+                        let _e572 = phi_1018_;
+                        let _e574 = phi_1021_;
+                        let _e576 = phi_1023_;
+                        let _e578 = phi_1025_;
+                        if _e576 {
+                            phi_1036_ = true;
                         } else {
-                            phi_733_ = (_e416 > 0u);
+                            phi_1036_ = (_e578 > 0u);
                         }
-                        let _e419 = phi_733_;
-                        if _e419 {
-                            let _e420 = (_e412 > 0u);
-                            if _e420 {
-                                if _e414 {
-                                    phi_766_ = _e410;
-                                    phi_767_ = _e414;
-                                    phi_768_ = _e416;
+                        let _e581 = phi_1036_;
+                        if _e581 {
+                            let _e582 = (_e574 > 0u);
+                            if _e582 {
+                                if _e576 {
+                                    phi_1069_ = _e572;
+                                    phi_1070_ = _e576;
+                                    phi_1071_ = _e578;
                                 } else {
-                                    let _e421 = (_e416 - 1u);
-                                    let _e422 = (_e421 % 128u);
-                                    let _e423 = (_e422 < 128u);
-                                    if _e423 {
+                                    let _e583 = (_e578 - 1u);
+                                    let _e584 = (_e583 % 128u);
+                                    let _e585 = (_e584 < 128u);
+                                    if _e585 {
                                     } else {
-                                        phi_2678_ = true;
+                                        phi_3097_ = true;
                                         break;
                                     }
-                                    let _e425 = local_2[_e422];
-                                    if _e423 {
+                                    let _e587 = local_2[_e584];
+                                    if _e585 {
                                     } else {
-                                        phi_2678_ = true;
+                                        phi_3097_ = true;
                                         break;
                                     }
-                                    let _e427 = local_1[_e422];
-                                    phi_766_ = _e425;
-                                    phi_767_ = (_e427 <= _e408);
-                                    phi_768_ = _e421;
+                                    let _e589 = local_1[_e584];
+                                    phi_1069_ = _e587;
+                                    phi_1070_ = (_e589 <= _e570);
+                                    phi_1071_ = _e583;
                                 }
-                                let _e430 = phi_766_;
-                                let _e432 = phi_767_;
-                                let _e434 = phi_768_;
-                                if _e432 {
-                                    if ((_e430 & 2147483648u) != 0u) {
-                                        phi_2540_ = _e406;
-                                        phi_2530_ = _e408;
-                                        phi_783_ = type_4(0u, ((_e430 >> bitcast<u32>(28u)) & 7u));
+                                let _e592 = phi_1069_;
+                                let _e594 = phi_1070_;
+                                let _e596 = phi_1071_;
+                                if _e594 {
+                                    if ((_e592 & 2147483648u) != 0u) {
+                                        phi_2941_ = _e568;
+                                        phi_2931_ = _e570;
+                                        phi_1086_ = type_4(0u, ((_e592 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e631 = phi_2540_;
-                                            let _e633 = phi_2530_;
-                                            let _e635 = phi_783_;
-                                            if (_e635.member < _e635.member_1) {
-                                                phi_784_ = type_4((_e635.member + 1u), _e635.member_1);
-                                                phi_807_ = type_4(1u, _e635.member);
+                                            let _e793 = phi_2941_;
+                                            let _e795 = phi_2931_;
+                                            let _e797 = phi_1086_;
+                                            if (_e797.member < _e797.member_1) {
+                                                phi_1087_ = type_4((_e797.member + 1u), _e797.member_1);
+                                                phi_1110_ = type_4(1u, _e797.member);
                                             } else {
-                                                phi_784_ = _e635;
-                                                phi_807_ = type_4(0u, type_4().member_1);
+                                                phi_1087_ = _e797;
+                                                phi_1110_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e648 = phi_784_;
-                                            let _e650 = phi_807_;
-                                            let _e654 = (bitcast<i32>(_e650.member) != 0i);
-                                            if _e654 {
-                                                let _e655 = ((_e430 & 268435455u) + _e650.member_1);
-                                                let _e656 = (_e655 < _e73);
-                                                if _e656 {
-                                                    if _e656 {
+                                            let _e810 = phi_1087_;
+                                            let _e812 = phi_1110_;
+                                            let _e816 = (bitcast<i32>(_e812.member) != 0i);
+                                            if _e816 {
+                                                let _e817 = ((_e592 & 268435455u) + _e812.member_1);
+                                                let _e818 = (_e817 < _e80);
+                                                if _e818 {
+                                                    if _e818 {
                                                     } else {
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = true;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = true;
                                                         break;
                                                     }
-                                                    let _e660 = global_3.member[_e655].member_1;
-                                                    phi_828_ = _e660;
+                                                    let _e822 = global_3.member[_e817].member_1;
+                                                    phi_1131_ = _e822;
                                                 } else {
-                                                    phi_828_ = 4294967295u;
+                                                    phi_1131_ = 4294967295u;
                                                 }
-                                                let _e662 = phi_828_;
-                                                if (_e655 >= _e73) {
-                                                    phi_917_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e824 = phi_1131_;
+                                                if (_e817 >= _e80) {
+                                                    phi_1220_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e656 {
+                                                    if _e818 {
                                                     } else {
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = true;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = true;
                                                         break;
                                                     }
-                                                    let _e664 = (_e199 % 3u);
-                                                    let _e665 = (_e198 % 3u);
-                                                    let _e666 = (_e200 % 3u);
-                                                    if (_e664 < 9u) {
+                                                    let _e826 = (_e206 % 3u);
+                                                    let _e827 = (_e205 % 3u);
+                                                    let _e828 = (_e207 % 3u);
+                                                    if (_e826 < 9u) {
                                                     } else {
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = true;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = true;
                                                         break;
                                                     }
-                                                    let _e672 = global_3.member[_e655].member[_e664];
-                                                    if (_e665 < 9u) {
+                                                    let _e834 = global_3.member[_e817].member[_e826];
+                                                    if (_e827 < 9u) {
                                                     } else {
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = true;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = true;
                                                         break;
                                                     }
-                                                    let _e678 = global_3.member[_e655].member[_e665];
-                                                    if (_e666 < 9u) {
+                                                    let _e840 = global_3.member[_e817].member[_e827];
+                                                    if (_e828 < 9u) {
                                                     } else {
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = true;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = true;
                                                         break;
                                                     }
-                                                    let _e684 = global_3.member[_e655].member[_e666];
-                                                    let _e686 = (3u + _e664);
-                                                    if (_e686 < 9u) {
+                                                    let _e846 = global_3.member[_e817].member[_e828];
+                                                    let _e848 = (3u + _e826);
+                                                    if (_e848 < 9u) {
                                                     } else {
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = true;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = true;
                                                         break;
                                                     }
-                                                    let _e692 = global_3.member[_e655].member[_e686];
-                                                    let _e693 = (3u + _e665);
-                                                    if (_e693 < 9u) {
+                                                    let _e854 = global_3.member[_e817].member[_e848];
+                                                    let _e855 = (3u + _e827);
+                                                    if (_e855 < 9u) {
                                                     } else {
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = true;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = true;
                                                         break;
                                                     }
-                                                    let _e699 = global_3.member[_e655].member[_e693];
-                                                    let _e700 = (3u + _e666);
-                                                    if (_e700 < 9u) {
+                                                    let _e861 = global_3.member[_e817].member[_e855];
+                                                    let _e862 = (3u + _e828);
+                                                    if (_e862 < 9u) {
                                                     } else {
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = true;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = true;
                                                         break;
                                                     }
-                                                    let _e706 = global_3.member[_e655].member[_e700];
-                                                    let _e708 = (6u + _e664);
-                                                    if (_e708 < 9u) {
+                                                    let _e868 = global_3.member[_e817].member[_e862];
+                                                    let _e870 = (6u + _e826);
+                                                    if (_e870 < 9u) {
                                                     } else {
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = true;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = true;
                                                         break;
                                                     }
-                                                    let _e714 = global_3.member[_e655].member[_e708];
-                                                    let _e715 = (6u + _e665);
-                                                    if (_e715 < 9u) {
+                                                    let _e876 = global_3.member[_e817].member[_e870];
+                                                    let _e877 = (6u + _e827);
+                                                    if (_e877 < 9u) {
                                                     } else {
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = true;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = true;
                                                         break;
                                                     }
-                                                    let _e721 = global_3.member[_e655].member[_e715];
-                                                    let _e722 = (6u + _e666);
-                                                    if (_e722 < 9u) {
+                                                    let _e883 = global_3.member[_e817].member[_e877];
+                                                    let _e884 = (6u + _e828);
+                                                    if (_e884 < 9u) {
                                                     } else {
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = true;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = true;
                                                         break;
                                                     }
-                                                    let _e728 = global_3.member[_e655].member[_e722];
-                                                    phi_917_ = array<array<f32, 3>, 3>(array<f32, 3>(_e672, _e678, _e684), array<f32, 3>(_e692, _e699, _e706), array<f32, 3>(_e714, _e721, _e728));
+                                                    let _e890 = global_3.member[_e817].member[_e884];
+                                                    phi_1220_ = array<array<f32, 3>, 3>(array<f32, 3>(_e834, _e840, _e846), array<f32, 3>(_e854, _e861, _e868), array<f32, 3>(_e876, _e883, _e890));
                                                 }
-                                                let _e732 = phi_917_;
-                                                let _e739 = (_e732[0][2] - _e325);
-                                                let _e742 = (((_e732[0][0] - _e248) * _e349) - (_e739 * _e273));
-                                                let _e745 = (((_e732[0][1] - _e287) * _e349) - (_e739 * _e311));
-                                                let _e752 = (_e732[1][2] - _e325);
-                                                let _e755 = (((_e732[1][0] - _e248) * _e349) - (_e752 * _e273));
-                                                let _e758 = (((_e732[1][1] - _e287) * _e349) - (_e752 * _e311));
-                                                let _e765 = (_e732[2][2] - _e325);
-                                                let _e768 = (((_e732[2][0] - _e248) * _e349) - (_e765 * _e273));
-                                                let _e771 = (((_e732[2][1] - _e287) * _e349) - (_e765 * _e311));
-                                                let _e772 = (_e768 * _e758);
-                                                let _e773 = (_e771 * _e755);
-                                                let _e774 = (_e742 * _e771);
-                                                let _e775 = (_e745 * _e768);
-                                                let _e776 = (_e755 * _e745);
-                                                let _e777 = (_e758 * _e742);
-                                                let _e782 = (((_e772 >= _e773) && (_e774 >= _e775)) && (_e776 >= _e777));
-                                                if (_e782 || (((_e772 <= _e773) && (_e774 <= _e775)) && (_e776 <= _e777))) {
-                                                    let _e789 = select(-1f, 1f, _e782);
-                                                    let _e791 = ((_e772 - _e773) * _e789);
-                                                    let _e793 = select(0f, _e791, (_e791 > 0f));
-                                                    let _e795 = ((_e774 - _e775) * _e789);
-                                                    let _e797 = select(0f, _e795, (_e795 > 0f));
-                                                    let _e799 = ((_e776 - _e777) * _e789);
-                                                    let _e801 = select(0f, _e799, (_e799 > 0f));
-                                                    let _e803 = ((_e793 + _e797) + _e801);
-                                                    if (_e803 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1743_ = type_23();
-                                                        phi_1744_ = true;
-                                                        phi_1745_ = false;
+                                                let _e894 = phi_1220_;
+                                                let _e901 = (_e894[0][2] - _e407);
+                                                let _e904 = (((_e894[0][0] - _e270) * _e446) - (_e901 * _e310));
+                                                let _e907 = (((_e894[0][1] - _e339) * _e446) - (_e901 * _e378));
+                                                let _e914 = (_e894[1][2] - _e407);
+                                                let _e917 = (((_e894[1][0] - _e270) * _e446) - (_e914 * _e310));
+                                                let _e920 = (((_e894[1][1] - _e339) * _e446) - (_e914 * _e378));
+                                                let _e927 = (_e894[2][2] - _e407);
+                                                let _e930 = (((_e894[2][0] - _e270) * _e446) - (_e927 * _e310));
+                                                let _e933 = (((_e894[2][1] - _e339) * _e446) - (_e927 * _e378));
+                                                let _e934 = (_e930 * _e920);
+                                                let _e935 = (_e933 * _e917);
+                                                let _e936 = (_e904 * _e933);
+                                                let _e937 = (_e907 * _e930);
+                                                let _e938 = (_e917 * _e907);
+                                                let _e939 = (_e920 * _e904);
+                                                let _e944 = (((_e934 >= _e935) && (_e936 >= _e937)) && (_e938 >= _e939));
+                                                if (_e944 || (((_e934 <= _e935) && (_e936 <= _e937)) && (_e938 <= _e939))) {
+                                                    let _e951 = select(-1f, 1f, _e944);
+                                                    let _e953 = ((_e934 - _e935) * _e951);
+                                                    let _e955 = select(0f, _e953, (_e953 > 0f));
+                                                    let _e957 = ((_e936 - _e937) * _e951);
+                                                    let _e959 = select(0f, _e957, (_e957 > 0f));
+                                                    let _e961 = ((_e938 - _e939) * _e951);
+                                                    let _e963 = select(0f, _e961, (_e961 > 0f));
+                                                    let _e965 = ((_e955 + _e959) + _e963);
+                                                    if (_e965 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2046_ = type_23();
+                                                        phi_2047_ = true;
+                                                        phi_2048_ = false;
                                                     } else {
-                                                        let _e806 = select(_e755, _e742, (_e742 < _e755));
-                                                        if (select(_e768, _e806, (_e806 < _e768)) > 0f) {
-                                                            phi_1035_ = true;
+                                                        let _e968 = select(_e917, _e904, (_e904 < _e917));
+                                                        if (select(_e930, _e968, (_e968 < _e930)) > 0f) {
+                                                            phi_1338_ = true;
                                                         } else {
-                                                            let _e811 = select(_e755, _e742, (_e742 > _e755));
-                                                            phi_1035_ = (select(_e768, _e811, (_e811 > _e768)) < 0f);
+                                                            let _e973 = select(_e917, _e904, (_e904 > _e917));
+                                                            phi_1338_ = (select(_e930, _e973, (_e973 > _e930)) < 0f);
                                                         }
-                                                        let _e816 = phi_1035_;
-                                                        if _e816 {
-                                                            phi_1740_ = type_23();
-                                                            phi_1741_ = true;
-                                                            phi_1742_ = false;
+                                                        let _e978 = phi_1338_;
+                                                        if _e978 {
+                                                            phi_2043_ = type_23();
+                                                            phi_2044_ = true;
+                                                            phi_2045_ = false;
                                                         } else {
-                                                            let _e818 = select(_e758, _e745, (_e745 < _e758));
-                                                            if (select(_e771, _e818, (_e818 < _e771)) > 0f) {
-                                                                phi_1064_ = true;
+                                                            let _e980 = select(_e920, _e907, (_e907 < _e920));
+                                                            if (select(_e933, _e980, (_e980 < _e933)) > 0f) {
+                                                                phi_1367_ = true;
                                                             } else {
-                                                                let _e823 = select(_e758, _e745, (_e745 > _e758));
-                                                                phi_1064_ = (select(_e771, _e823, (_e823 > _e771)) < 0f);
+                                                                let _e985 = select(_e920, _e907, (_e907 > _e920));
+                                                                phi_1367_ = (select(_e933, _e985, (_e985 > _e933)) < 0f);
                                                             }
-                                                            let _e828 = phi_1064_;
-                                                            if _e828 {
-                                                                phi_1738_ = type_23();
-                                                                phi_1739_ = false;
+                                                            let _e990 = phi_1367_;
+                                                            if _e990 {
+                                                                phi_2041_ = type_23();
+                                                                phi_2042_ = false;
                                                             } else {
-                                                                let _e830 = select(_e732[1][0], _e732[0][0], (_e732[0][0] < _e732[1][0]));
-                                                                let _e834 = select(_e732[1][0], _e732[0][0], (_e732[0][0] > _e732[1][0]));
-                                                                let _e838 = select(_e732[1][1], _e732[0][1], (_e732[0][1] < _e732[1][1]));
-                                                                let _e842 = select(_e732[1][1], _e732[0][1], (_e732[0][1] > _e732[1][1]));
-                                                                let _e846 = select(_e732[1][2], _e732[0][2], (_e732[0][2] < _e732[1][2]));
-                                                                let _e850 = select(_e732[1][2], _e732[0][2], (_e732[0][2] > _e732[1][2]));
-                                                                let _e855 = ((select(_e732[2][0], _e830, (_e830 < _e732[2][0])) - _e271) * _e276);
-                                                                let _e856 = ((select(_e732[2][0], _e834, (_e834 > _e732[2][0])) - _e272) * _e276);
-                                                                let _e859 = ((select(_e732[2][1], _e838, (_e838 < _e732[2][1])) - _e309) * _e314);
-                                                                let _e860 = ((select(_e732[2][1], _e842, (_e842 > _e732[2][1])) - _e310) * _e314);
-                                                                let _e863 = ((select(_e732[2][2], _e846, (_e846 < _e732[2][2])) - _e347) * _e352);
-                                                                let _e864 = ((select(_e732[2][2], _e850, (_e850 > _e732[2][2])) - _e348) * _e352);
-                                                                let _e866 = select(_e864, _e863, (_e863 < _e864));
-                                                                let _e868 = select(_e864, _e863, (_e863 > _e864));
-                                                                let _e870 = select(_e856, _e855, (_e855 < _e856));
-                                                                let _e872 = select(_e860, _e859, (_e859 < _e860));
-                                                                let _e874 = select(_e872, _e870, (_e870 > _e872));
-                                                                let _e876 = select(_e866, _e874, (_e874 > _e866));
-                                                                let _e878 = select(_e856, _e855, (_e855 > _e856));
-                                                                let _e880 = select(_e860, _e859, (_e859 > _e860));
-                                                                let _e882 = select(_e880, _e878, (_e878 < _e880));
-                                                                let _e884 = select(_e868, _e882, (_e882 < _e868));
-                                                                let _e885 = -(_e866);
-                                                                let _e891 = select(_e399, _e876, (_e876 > _e399));
-                                                                if (_e891 > (_e884 + (select(_e885, _e868, (_e868 > _e885)) * 0.0000019073523f))) {
-                                                                    phi_1733_ = type_23();
-                                                                    phi_1734_ = true;
+                                                                let _e992 = select(_e894[1][0], _e894[0][0], (_e894[0][0] < _e894[1][0]));
+                                                                let _e996 = select(_e894[1][0], _e894[0][0], (_e894[0][0] > _e894[1][0]));
+                                                                let _e1000 = select(_e894[1][1], _e894[0][1], (_e894[0][1] < _e894[1][1]));
+                                                                let _e1004 = select(_e894[1][1], _e894[0][1], (_e894[0][1] > _e894[1][1]));
+                                                                let _e1008 = select(_e894[1][2], _e894[0][2], (_e894[0][2] < _e894[1][2]));
+                                                                let _e1012 = select(_e894[1][2], _e894[0][2], (_e894[0][2] > _e894[1][2]));
+                                                                let _e1017 = ((select(_e894[2][0], _e992, (_e992 < _e894[2][0])) - _e308) * _e313);
+                                                                let _e1018 = ((select(_e894[2][0], _e996, (_e996 > _e894[2][0])) - _e309) * _e313);
+                                                                let _e1021 = ((select(_e894[2][1], _e1000, (_e1000 < _e894[2][1])) - _e376) * _e381);
+                                                                let _e1022 = ((select(_e894[2][1], _e1004, (_e1004 > _e894[2][1])) - _e377) * _e381);
+                                                                let _e1025 = ((select(_e894[2][2], _e1008, (_e1008 < _e894[2][2])) - _e444) * _e449);
+                                                                let _e1026 = ((select(_e894[2][2], _e1012, (_e1012 > _e894[2][2])) - _e445) * _e449);
+                                                                let _e1028 = select(_e1026, _e1025, (_e1025 < _e1026));
+                                                                let _e1030 = select(_e1026, _e1025, (_e1025 > _e1026));
+                                                                let _e1032 = select(_e1018, _e1017, (_e1017 < _e1018));
+                                                                let _e1034 = select(_e1022, _e1021, (_e1021 < _e1022));
+                                                                let _e1036 = select(_e1034, _e1032, (_e1032 > _e1034));
+                                                                let _e1038 = select(_e1028, _e1036, (_e1036 > _e1028));
+                                                                let _e1040 = select(_e1018, _e1017, (_e1017 > _e1018));
+                                                                let _e1042 = select(_e1022, _e1021, (_e1021 > _e1022));
+                                                                let _e1044 = select(_e1042, _e1040, (_e1040 < _e1042));
+                                                                let _e1046 = select(_e1030, _e1044, (_e1044 < _e1030));
+                                                                let _e1047 = -(_e1028);
+                                                                let _e1053 = select(_e561, _e1038, (_e1038 > _e561));
+                                                                if (_e1053 > (_e1046 + (select(_e1047, _e1030, (_e1030 > _e1047)) * 0.0000019073523f))) {
+                                                                    phi_2036_ = type_23();
+                                                                    phi_2037_ = true;
                                                                 } else {
-                                                                    let _e893 = (_e891 > _e633);
-                                                                    if _e893 {
-                                                                        phi_1732_ = type_23();
+                                                                    let _e1055 = (_e1053 > _e795);
+                                                                    if _e1055 {
+                                                                        phi_2035_ = type_23();
                                                                     } else {
-                                                                        let _e894 = vec3<f32>(_e732[0][0], _e732[0][1], _e732[0][2]);
-                                                                        let _e895 = vec3<f32>(_e732[1][0], _e732[1][1], _e732[1][2]);
-                                                                        let _e896 = vec3<f32>(_e732[2][0], _e732[2][1], _e732[2][2]);
-                                                                        let _e897 = (_e732[1][0] - _e732[0][0]);
-                                                                        let _e898 = (_e732[1][1] - _e732[0][1]);
-                                                                        let _e899 = (_e732[1][2] - _e732[0][2]);
-                                                                        let _e900 = vec3<f32>(_e897, _e898, _e899);
-                                                                        let _e901 = (_e732[2][0] - _e732[1][0]);
-                                                                        let _e902 = (_e732[2][1] - _e732[1][1]);
-                                                                        let _e903 = (_e732[2][2] - _e732[1][2]);
-                                                                        let _e904 = vec3<f32>(_e901, _e902, _e903);
-                                                                        let _e905 = (_e732[0][0] - _e732[2][0]);
-                                                                        let _e906 = (_e732[0][1] - _e732[2][1]);
-                                                                        let _e907 = (_e732[0][2] - _e732[2][2]);
-                                                                        let _e908 = vec3<f32>(_e905, _e906, _e907);
-                                                                        let _e911 = bitcast<f32>((bitcast<u32>(_e897) & 2147483647u));
-                                                                        let _e914 = bitcast<f32>((bitcast<u32>(_e898) & 2147483647u));
-                                                                        let _e916 = select(_e914, _e911, (_e911 > _e914));
-                                                                        let _e919 = bitcast<f32>((bitcast<u32>(_e899) & 2147483647u));
-                                                                        let _e921 = select(_e919, _e916, (_e916 > _e919));
-                                                                        let _e924 = bitcast<f32>((bitcast<u32>(_e901) & 2147483647u));
-                                                                        let _e927 = bitcast<f32>((bitcast<u32>(_e902) & 2147483647u));
-                                                                        let _e929 = select(_e927, _e924, (_e924 > _e927));
-                                                                        let _e932 = bitcast<f32>((bitcast<u32>(_e903) & 2147483647u));
-                                                                        let _e934 = select(_e932, _e929, (_e929 > _e932));
-                                                                        let _e937 = bitcast<f32>((bitcast<u32>(_e905) & 2147483647u));
-                                                                        let _e940 = bitcast<f32>((bitcast<u32>(_e906) & 2147483647u));
-                                                                        let _e942 = select(_e940, _e937, (_e937 > _e940));
-                                                                        let _e945 = bitcast<f32>((bitcast<u32>(_e907) & 2147483647u));
-                                                                        let _e947 = select(_e945, _e942, (_e942 > _e945));
-                                                                        let _e949 = select(_e934, _e921, (_e921 > _e934));
-                                                                        let _e951 = select(_e947, _e949, (_e949 > _e947));
-                                                                        if (_e921 == _e951) {
-                                                                            phi_1465_ = _e758;
-                                                                            phi_1466_ = _e755;
-                                                                            phi_1467_ = _e745;
-                                                                            phi_1468_ = _e742;
-                                                                            phi_1469_ = _e894;
-                                                                            phi_1470_ = _e908;
-                                                                            phi_1471_ = _e904;
-                                                                            phi_1472_ = _e900;
+                                                                        let _e1056 = vec3<f32>(_e894[0][0], _e894[0][1], _e894[0][2]);
+                                                                        let _e1057 = vec3<f32>(_e894[1][0], _e894[1][1], _e894[1][2]);
+                                                                        let _e1058 = vec3<f32>(_e894[2][0], _e894[2][1], _e894[2][2]);
+                                                                        let _e1059 = (_e894[1][0] - _e894[0][0]);
+                                                                        let _e1060 = (_e894[1][1] - _e894[0][1]);
+                                                                        let _e1061 = (_e894[1][2] - _e894[0][2]);
+                                                                        let _e1062 = vec3<f32>(_e1059, _e1060, _e1061);
+                                                                        let _e1063 = (_e894[2][0] - _e894[1][0]);
+                                                                        let _e1064 = (_e894[2][1] - _e894[1][1]);
+                                                                        let _e1065 = (_e894[2][2] - _e894[1][2]);
+                                                                        let _e1066 = vec3<f32>(_e1063, _e1064, _e1065);
+                                                                        let _e1067 = (_e894[0][0] - _e894[2][0]);
+                                                                        let _e1068 = (_e894[0][1] - _e894[2][1]);
+                                                                        let _e1069 = (_e894[0][2] - _e894[2][2]);
+                                                                        let _e1070 = vec3<f32>(_e1067, _e1068, _e1069);
+                                                                        let _e1073 = bitcast<f32>((bitcast<u32>(_e1059) & 2147483647u));
+                                                                        let _e1076 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
+                                                                        let _e1078 = select(_e1076, _e1073, (_e1073 > _e1076));
+                                                                        let _e1081 = bitcast<f32>((bitcast<u32>(_e1061) & 2147483647u));
+                                                                        let _e1083 = select(_e1081, _e1078, (_e1078 > _e1081));
+                                                                        let _e1086 = bitcast<f32>((bitcast<u32>(_e1063) & 2147483647u));
+                                                                        let _e1089 = bitcast<f32>((bitcast<u32>(_e1064) & 2147483647u));
+                                                                        let _e1091 = select(_e1089, _e1086, (_e1086 > _e1089));
+                                                                        let _e1094 = bitcast<f32>((bitcast<u32>(_e1065) & 2147483647u));
+                                                                        let _e1096 = select(_e1094, _e1091, (_e1091 > _e1094));
+                                                                        let _e1099 = bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u));
+                                                                        let _e1102 = bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u));
+                                                                        let _e1104 = select(_e1102, _e1099, (_e1099 > _e1102));
+                                                                        let _e1107 = bitcast<f32>((bitcast<u32>(_e1069) & 2147483647u));
+                                                                        let _e1109 = select(_e1107, _e1104, (_e1104 > _e1107));
+                                                                        let _e1111 = select(_e1096, _e1083, (_e1083 > _e1096));
+                                                                        let _e1113 = select(_e1109, _e1111, (_e1111 > _e1109));
+                                                                        if (_e1083 == _e1113) {
+                                                                            phi_1768_ = _e920;
+                                                                            phi_1769_ = _e917;
+                                                                            phi_1770_ = _e907;
+                                                                            phi_1771_ = _e904;
+                                                                            phi_1772_ = _e1056;
+                                                                            phi_1773_ = _e1070;
+                                                                            phi_1774_ = _e1066;
+                                                                            phi_1775_ = _e1062;
                                                                         } else {
-                                                                            let _e953 = (_e934 == _e951);
-                                                                            let _e958 = vec3(_e953);
-                                                                            phi_1465_ = select(_e745, _e771, _e953);
-                                                                            phi_1466_ = select(_e742, _e768, _e953);
-                                                                            phi_1467_ = select(_e771, _e758, _e953);
-                                                                            phi_1468_ = select(_e768, _e755, _e953);
-                                                                            phi_1469_ = select(_e896, _e895, _e958);
-                                                                            phi_1470_ = select(_e904, _e900, _e958);
-                                                                            phi_1471_ = select(_e900, _e908, _e958);
-                                                                            phi_1472_ = select(_e908, _e904, _e958);
+                                                                            let _e1115 = (_e1096 == _e1113);
+                                                                            let _e1120 = vec3(_e1115);
+                                                                            phi_1768_ = select(_e907, _e933, _e1115);
+                                                                            phi_1769_ = select(_e904, _e930, _e1115);
+                                                                            phi_1770_ = select(_e933, _e920, _e1115);
+                                                                            phi_1771_ = select(_e930, _e917, _e1115);
+                                                                            phi_1772_ = select(_e1058, _e1057, _e1120);
+                                                                            phi_1773_ = select(_e1066, _e1062, _e1120);
+                                                                            phi_1774_ = select(_e1062, _e1070, _e1120);
+                                                                            phi_1775_ = select(_e1070, _e1066, _e1120);
                                                                         }
-                                                                        let _e964 = phi_1465_;
-                                                                        let _e966 = phi_1466_;
-                                                                        let _e968 = phi_1467_;
-                                                                        let _e970 = phi_1468_;
-                                                                        let _e972 = phi_1469_;
-                                                                        let _e974 = phi_1470_;
-                                                                        let _e976 = phi_1471_;
-                                                                        let _e978 = phi_1472_;
-                                                                        let _e985 = ((_e976.y * _e974.z) - (_e974.y * _e976.z));
-                                                                        let _e990 = ((_e976.z * _e974.x) - (_e974.z * _e976.x));
-                                                                        let _e993 = ((_e976.x * _e974.y) - (_e974.x * _e976.y));
-                                                                        if (_e793 >= _e797) {
-                                                                            phi_1503_ = select(true, false, (_e793 >= _e801));
+                                                                        let _e1126 = phi_1768_;
+                                                                        let _e1128 = phi_1769_;
+                                                                        let _e1130 = phi_1770_;
+                                                                        let _e1132 = phi_1771_;
+                                                                        let _e1134 = phi_1772_;
+                                                                        let _e1136 = phi_1773_;
+                                                                        let _e1138 = phi_1774_;
+                                                                        let _e1140 = phi_1775_;
+                                                                        let _e1147 = ((_e1138.y * _e1136.z) - (_e1136.y * _e1138.z));
+                                                                        let _e1152 = ((_e1138.z * _e1136.x) - (_e1136.z * _e1138.x));
+                                                                        let _e1155 = ((_e1138.x * _e1136.y) - (_e1136.x * _e1138.y));
+                                                                        if (_e955 >= _e959) {
+                                                                            phi_1806_ = select(true, false, (_e955 >= _e963));
                                                                         } else {
-                                                                            phi_1503_ = true;
+                                                                            phi_1806_ = true;
                                                                         }
-                                                                        let _e998 = phi_1503_;
-                                                                        if _e998 {
-                                                                            phi_1512_ = select(_e896, _e895, vec3((_e797 >= _e801)));
+                                                                        let _e1160 = phi_1806_;
+                                                                        if _e1160 {
+                                                                            phi_1815_ = select(_e1058, _e1057, vec3((_e959 >= _e963)));
                                                                         } else {
-                                                                            phi_1512_ = _e894;
+                                                                            phi_1815_ = _e1056;
                                                                         }
-                                                                        let _e1003 = phi_1512_;
-                                                                        let _e1014 = (((_e985 * (_e1003.x - _e248)) + (_e990 * (_e1003.y - _e287))) + (_e993 * (_e1003.z - _e325)));
-                                                                        let _e1019 = (((_e985 * _e273) + (_e990 * _e311)) + (_e993 * _e349));
-                                                                        let _e1020 = (_e966 - _e970);
-                                                                        let _e1021 = (_e964 - _e968);
-                                                                        let _e1029 = (-(((_e970 * _e1020) + (_e968 * _e1021))) / ((_e1020 * _e1020) + (_e1021 * _e1021)));
-                                                                        let _e1031 = select(1f, _e1029, (_e1029 < 1f));
-                                                                        let _e1033 = select(0f, _e1031, (_e1031 > 0f));
-                                                                        let _e1046 = ((_e972.x + (_e978.x * _e1033)) - _e248);
-                                                                        let _e1047 = ((_e972.y + (_e978.y * _e1033)) - _e287);
-                                                                        let _e1048 = ((_e972.z + (_e978.z * _e1033)) - _e325);
-                                                                        let _e1049 = (_e1048 / _e349);
-                                                                        let _e1061 = bitcast<f32>((bitcast<u32>(_e1046) & 2147483647u));
-                                                                        let _e1064 = bitcast<f32>((bitcast<u32>(_e1047) & 2147483647u));
-                                                                        let _e1066 = select(_e1064, _e1061, (_e1061 > _e1064));
-                                                                        let _e1069 = bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u));
-                                                                        let _e1071 = select(_e1069, _e1066, (_e1066 > _e1069));
-                                                                        let _e1077 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
-                                                                        let _e1080 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
-                                                                        let _e1082 = select(_e1080, _e1077, (_e1077 > _e1080));
-                                                                        let _e1085 = bitcast<f32>((bitcast<u32>(_e993) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e985 * _e1046) + (_e990 * _e1047)) + (_e993 * _e1048)) - _e1014)) & 2147483647u)) <= ((0.0000009536743f * select(_e951, _e1071, (_e1071 > _e951))) * select(_e1085, _e1082, (_e1082 > _e1085)))) {
-                                                                            let _e1095 = bitcast<f32>((bitcast<u32>(_e976.x) & 2147483647u));
-                                                                            let _e1098 = bitcast<f32>((bitcast<u32>(_e976.y) & 2147483647u));
-                                                                            let _e1100 = select(_e1098, _e1095, (_e1095 > _e1098));
-                                                                            let _e1103 = bitcast<f32>((bitcast<u32>(_e976.z) & 2147483647u));
-                                                                            let _e1109 = bitcast<f32>((bitcast<u32>(_e974.x) & 2147483647u));
-                                                                            let _e1112 = bitcast<f32>((bitcast<u32>(_e974.y) & 2147483647u));
-                                                                            let _e1114 = select(_e1112, _e1109, (_e1109 > _e1112));
-                                                                            let _e1117 = bitcast<f32>((bitcast<u32>(_e974.z) & 2147483647u));
-                                                                            let _e1121 = (bitcast<f32>((bitcast<u32>(_e1019) & 2147483647u)) > ((0.0000038146973f * select(_e1103, _e1100, (_e1100 > _e1103))) * select(_e1117, _e1114, (_e1114 > _e1117))));
-                                                                            if _e1121 {
-                                                                                phi_1677_ = (_e1014 / _e1019);
+                                                                        let _e1165 = phi_1815_;
+                                                                        let _e1176 = (((_e1147 * (_e1165.x - _e270)) + (_e1152 * (_e1165.y - _e339))) + (_e1155 * (_e1165.z - _e407)));
+                                                                        let _e1181 = (((_e1147 * _e310) + (_e1152 * _e378)) + (_e1155 * _e446));
+                                                                        let _e1182 = (_e1128 - _e1132);
+                                                                        let _e1183 = (_e1126 - _e1130);
+                                                                        let _e1191 = (-(((_e1132 * _e1182) + (_e1130 * _e1183))) / ((_e1182 * _e1182) + (_e1183 * _e1183)));
+                                                                        let _e1193 = select(1f, _e1191, (_e1191 < 1f));
+                                                                        let _e1195 = select(0f, _e1193, (_e1193 > 0f));
+                                                                        let _e1208 = ((_e1134.x + (_e1140.x * _e1195)) - _e270);
+                                                                        let _e1209 = ((_e1134.y + (_e1140.y * _e1195)) - _e339);
+                                                                        let _e1210 = ((_e1134.z + (_e1140.z * _e1195)) - _e407);
+                                                                        let _e1211 = (_e1210 / _e446);
+                                                                        let _e1223 = bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u));
+                                                                        let _e1226 = bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u));
+                                                                        let _e1228 = select(_e1226, _e1223, (_e1223 > _e1226));
+                                                                        let _e1231 = bitcast<f32>((bitcast<u32>(_e1210) & 2147483647u));
+                                                                        let _e1233 = select(_e1231, _e1228, (_e1228 > _e1231));
+                                                                        let _e1239 = bitcast<f32>((bitcast<u32>(_e1147) & 2147483647u));
+                                                                        let _e1242 = bitcast<f32>((bitcast<u32>(_e1152) & 2147483647u));
+                                                                        let _e1244 = select(_e1242, _e1239, (_e1239 > _e1242));
+                                                                        let _e1247 = bitcast<f32>((bitcast<u32>(_e1155) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1147 * _e1208) + (_e1152 * _e1209)) + (_e1155 * _e1210)) - _e1176)) & 2147483647u)) <= ((0.0000009536743f * select(_e1113, _e1233, (_e1233 > _e1113))) * select(_e1247, _e1244, (_e1244 > _e1247)))) {
+                                                                            let _e1257 = bitcast<f32>((bitcast<u32>(_e1138.x) & 2147483647u));
+                                                                            let _e1260 = bitcast<f32>((bitcast<u32>(_e1138.y) & 2147483647u));
+                                                                            let _e1262 = select(_e1260, _e1257, (_e1257 > _e1260));
+                                                                            let _e1265 = bitcast<f32>((bitcast<u32>(_e1138.z) & 2147483647u));
+                                                                            let _e1271 = bitcast<f32>((bitcast<u32>(_e1136.x) & 2147483647u));
+                                                                            let _e1274 = bitcast<f32>((bitcast<u32>(_e1136.y) & 2147483647u));
+                                                                            let _e1276 = select(_e1274, _e1271, (_e1271 > _e1274));
+                                                                            let _e1279 = bitcast<f32>((bitcast<u32>(_e1136.z) & 2147483647u));
+                                                                            let _e1283 = (bitcast<f32>((bitcast<u32>(_e1181) & 2147483647u)) > ((0.0000038146973f * select(_e1265, _e1262, (_e1262 > _e1265))) * select(_e1279, _e1276, (_e1276 > _e1279))));
+                                                                            if _e1283 {
+                                                                                phi_1980_ = (_e1176 / _e1181);
                                                                             } else {
-                                                                                phi_1677_ = f32();
+                                                                                phi_1980_ = f32();
                                                                             }
-                                                                            let _e1124 = phi_1677_;
-                                                                            phi_1679_ = _e1124;
-                                                                            phi_1680_ = select(true, false, _e1121);
+                                                                            let _e1286 = phi_1980_;
+                                                                            phi_1982_ = _e1286;
+                                                                            phi_1983_ = select(true, false, _e1283);
                                                                         } else {
-                                                                            phi_1679_ = f32();
-                                                                            phi_1680_ = true;
+                                                                            phi_1982_ = f32();
+                                                                            phi_1983_ = true;
                                                                         }
-                                                                        let _e1127 = phi_1679_;
-                                                                        let _e1129 = phi_1680_;
-                                                                        if _e1129 {
-                                                                            let _e1137 = (((_e985 * (_e1046 - (_e273 * _e1049))) + (_e990 * (_e1047 - (_e311 * _e1049)))) / _e1019);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u)) <= _e951) {
-                                                                                phi_1700_ = (_e1049 + _e1137);
+                                                                        let _e1289 = phi_1982_;
+                                                                        let _e1291 = phi_1983_;
+                                                                        if _e1291 {
+                                                                            let _e1299 = (((_e1147 * (_e1208 - (_e310 * _e1211))) + (_e1152 * (_e1209 - (_e378 * _e1211)))) / _e1181);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1299) & 2147483647u)) <= _e1113) {
+                                                                                phi_2003_ = (_e1211 + _e1299);
                                                                             } else {
-                                                                                phi_1700_ = _e1049;
+                                                                                phi_2003_ = _e1211;
                                                                             }
-                                                                            let _e1144 = phi_1700_;
-                                                                            phi_1701_ = _e1144;
+                                                                            let _e1306 = phi_2003_;
+                                                                            phi_2004_ = _e1306;
                                                                         } else {
-                                                                            phi_1701_ = _e1127;
+                                                                            phi_2004_ = _e1289;
                                                                         }
-                                                                        let _e1146 = phi_1701_;
-                                                                        let _e1148 = select(_e884, _e1146, (_e1146 < _e884));
-                                                                        let _e1150 = select(_e876, _e1148, (_e1148 > _e876));
-                                                                        if (_e1150 >= _e399) {
-                                                                            let _e1152 = (_e1150 <= _e633);
-                                                                            if _e1152 {
-                                                                                let _e1153 = (1f / _e803);
-                                                                                phi_1724_ = type_23(_e1150, (_e797 * _e1153), (_e801 * _e1153), _e662);
+                                                                        let _e1308 = phi_2004_;
+                                                                        let _e1310 = select(_e1046, _e1308, (_e1308 < _e1046));
+                                                                        let _e1312 = select(_e1038, _e1310, (_e1310 > _e1038));
+                                                                        if (_e1312 >= _e561) {
+                                                                            let _e1314 = (_e1312 <= _e795);
+                                                                            if _e1314 {
+                                                                                let _e1315 = (1f / _e965);
+                                                                                phi_2027_ = type_23(_e1312, (_e959 * _e1315), (_e963 * _e1315), _e824);
                                                                             } else {
-                                                                                phi_1724_ = type_23();
+                                                                                phi_2027_ = type_23();
                                                                             }
-                                                                            let _e1158 = phi_1724_;
-                                                                            phi_1726_ = _e1158;
-                                                                            phi_1727_ = select(true, false, _e1152);
+                                                                            let _e1320 = phi_2027_;
+                                                                            phi_2029_ = _e1320;
+                                                                            phi_2030_ = select(true, false, _e1314);
                                                                         } else {
-                                                                            phi_1726_ = type_23();
-                                                                            phi_1727_ = true;
+                                                                            phi_2029_ = type_23();
+                                                                            phi_2030_ = true;
                                                                         }
-                                                                        let _e1161 = phi_1726_;
-                                                                        let _e1163 = phi_1727_;
-                                                                        if _e1163 {
-                                                                            phi_1731_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1323 = phi_2029_;
+                                                                        let _e1325 = phi_2030_;
+                                                                        if _e1325 {
+                                                                            phi_2034_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1731_ = _e1161;
+                                                                            phi_2034_ = _e1323;
                                                                         }
-                                                                        let _e1165 = phi_1731_;
-                                                                        phi_1732_ = _e1165;
+                                                                        let _e1327 = phi_2034_;
+                                                                        phi_2035_ = _e1327;
                                                                     }
-                                                                    let _e1167 = phi_1732_;
-                                                                    phi_1733_ = _e1167;
-                                                                    phi_1734_ = _e893;
+                                                                    let _e1329 = phi_2035_;
+                                                                    phi_2036_ = _e1329;
+                                                                    phi_2037_ = _e1055;
                                                                 }
-                                                                let _e1169 = phi_1733_;
-                                                                let _e1171 = phi_1734_;
-                                                                phi_1738_ = _e1169;
-                                                                phi_1739_ = _e1171;
+                                                                let _e1331 = phi_2036_;
+                                                                let _e1333 = phi_2037_;
+                                                                phi_2041_ = _e1331;
+                                                                phi_2042_ = _e1333;
                                                             }
-                                                            let _e1173 = phi_1738_;
-                                                            let _e1175 = phi_1739_;
-                                                            phi_1740_ = _e1173;
-                                                            phi_1741_ = _e828;
-                                                            phi_1742_ = _e1175;
+                                                            let _e1335 = phi_2041_;
+                                                            let _e1337 = phi_2042_;
+                                                            phi_2043_ = _e1335;
+                                                            phi_2044_ = _e990;
+                                                            phi_2045_ = _e1337;
                                                         }
-                                                        let _e1177 = phi_1740_;
-                                                        let _e1179 = phi_1741_;
-                                                        let _e1181 = phi_1742_;
-                                                        phi_1743_ = _e1177;
-                                                        phi_1744_ = _e1179;
-                                                        phi_1745_ = _e1181;
+                                                        let _e1339 = phi_2043_;
+                                                        let _e1341 = phi_2044_;
+                                                        let _e1343 = phi_2045_;
+                                                        phi_2046_ = _e1339;
+                                                        phi_2047_ = _e1341;
+                                                        phi_2048_ = _e1343;
                                                     }
-                                                    let _e1183 = phi_1743_;
-                                                    let _e1185 = phi_1744_;
-                                                    let _e1187 = phi_1745_;
-                                                    phi_1753_ = _e1183;
-                                                    phi_1754_ = select(_e1187, true, _e1185);
+                                                    let _e1345 = phi_2046_;
+                                                    let _e1347 = phi_2047_;
+                                                    let _e1349 = phi_2048_;
+                                                    phi_2056_ = _e1345;
+                                                    phi_2057_ = select(_e1349, true, _e1347);
                                                 } else {
-                                                    phi_1753_ = type_23();
-                                                    phi_1754_ = true;
+                                                    phi_2056_ = type_23();
+                                                    phi_2057_ = true;
                                                 }
-                                                let _e1190 = phi_1753_;
-                                                let _e1192 = phi_1754_;
-                                                if _e1192 {
-                                                    phi_1758_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1352 = phi_2056_;
+                                                let _e1354 = phi_2057_;
+                                                if _e1354 {
+                                                    phi_2061_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1758_ = _e1190;
+                                                    phi_2061_ = _e1352;
                                                 }
-                                                let _e1194 = phi_1758_;
-                                                if (_e1194.member_3 != 4294967295u) {
-                                                    if (_e662 != 4294967295u) {
-                                                        phi_1770_ = type_4(0u, 8u);
-                                                        phi_1773_ = _e1194;
+                                                let _e1356 = phi_2061_;
+                                                if (_e1356.member_3 != 4294967295u) {
+                                                    if (_e824 != 4294967295u) {
+                                                        phi_2073_ = type_4(0u, 8u);
+                                                        phi_2076_ = _e1356;
                                                         loop {
-                                                            let _e1199 = phi_1770_;
-                                                            let _e1201 = phi_1773_;
-                                                            if (_e1199.member < _e1199.member_1) {
-                                                                phi_1771_ = type_4((_e1199.member + 1u), _e1199.member_1);
-                                                                phi_1796_ = type_4(1u, _e1199.member);
+                                                            let _e1361 = phi_2073_;
+                                                            let _e1363 = phi_2076_;
+                                                            if (_e1361.member < _e1361.member_1) {
+                                                                phi_2074_ = type_4((_e1361.member + 1u), _e1361.member_1);
+                                                                phi_2099_ = type_4(1u, _e1361.member);
                                                             } else {
-                                                                phi_1771_ = _e1199;
-                                                                phi_1796_ = type_4(0u, type_4().member_1);
+                                                                phi_2074_ = _e1361;
+                                                                phi_2099_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1214 = phi_1771_;
-                                                            let _e1216 = phi_1796_;
-                                                            let _e1220 = (bitcast<i32>(_e1216.member) != 0i);
-                                                            if _e1220 {
-                                                                let _e1221 = (_e1216.member_1 < 8u);
-                                                                if _e1221 {
+                                                            let _e1376 = phi_2074_;
+                                                            let _e1378 = phi_2099_;
+                                                            let _e1382 = (bitcast<i32>(_e1378.member) != 0i);
+                                                            if _e1382 {
+                                                                let _e1383 = (_e1378.member_1 < 8u);
+                                                                if _e1383 {
                                                                 } else {
-                                                                    phi_2531_ = true;
+                                                                    phi_2932_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1226 = local[_e1216.member_1].member;
-                                                                if (_e1201.member < _e1226) {
-                                                                    phi_1829_ = true;
+                                                                let _e1388 = local[_e1378.member_1].member;
+                                                                if (_e1363.member < _e1388) {
+                                                                    phi_2132_ = true;
                                                                 } else {
-                                                                    let _e1228 = local[_e1216.member_1].member;
-                                                                    if (_e1201.member == _e1228) {
-                                                                        let _e1233 = local[_e1216.member_1].member_3;
-                                                                        phi_1828_ = (_e1201.member_3 < _e1233);
+                                                                    let _e1390 = local[_e1378.member_1].member;
+                                                                    if (_e1363.member == _e1390) {
+                                                                        let _e1395 = local[_e1378.member_1].member_3;
+                                                                        phi_2131_ = (_e1363.member_3 < _e1395);
                                                                     } else {
-                                                                        phi_1828_ = false;
+                                                                        phi_2131_ = false;
                                                                     }
-                                                                    let _e1236 = phi_1828_;
-                                                                    phi_1829_ = _e1236;
+                                                                    let _e1398 = phi_2131_;
+                                                                    phi_2132_ = _e1398;
                                                                 }
-                                                                let _e1238 = phi_1829_;
-                                                                if _e1238 {
-                                                                    if _e1221 {
+                                                                let _e1400 = phi_2132_;
+                                                                if _e1400 {
+                                                                    if _e1383 {
                                                                     } else {
-                                                                        phi_2531_ = true;
+                                                                        phi_2932_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1239 = local[_e1216.member_1];
-                                                                    local[_e1216.member_1] = type_23(_e1201.member, _e1201.member_1, _e1201.member_2, _e1201.member_3);
-                                                                    phi_1850_ = type_23(_e1239.member, _e1239.member_1, _e1239.member_2, _e1239.member_3);
+                                                                    let _e1401 = local[_e1378.member_1];
+                                                                    local[_e1378.member_1] = type_23(_e1363.member, _e1363.member_1, _e1363.member_2, _e1363.member_3);
+                                                                    phi_2153_ = type_23(_e1401.member, _e1401.member_1, _e1401.member_2, _e1401.member_3);
                                                                 } else {
-                                                                    phi_1850_ = _e1201;
+                                                                    phi_2153_ = _e1363;
                                                                 }
-                                                                let _e1250 = phi_1850_;
-                                                                phi_1774_ = _e1250;
+                                                                let _e1412 = phi_2153_;
+                                                                phi_2077_ = _e1412;
                                                             } else {
-                                                                phi_1774_ = type_23();
+                                                                phi_2077_ = type_23();
                                                             }
-                                                            let _e1252 = phi_1774_;
+                                                            let _e1414 = phi_2077_;
                                                             continue;
                                                             continuing {
-                                                                phi_1770_ = _e1214;
-                                                                phi_1773_ = _e1252;
-                                                                phi_2531_ = _e631;
-                                                                break if !(_e1220);
+                                                                phi_2073_ = _e1376;
+                                                                phi_2076_ = _e1414;
+                                                                phi_2932_ = _e793;
+                                                                break if !(_e1382);
                                                             }
                                                         }
-                                                        let _e1255 = phi_2531_;
-                                                        phi_2763_ = _e633;
-                                                        phi_2673_ = _e1255;
-                                                        if _e1255 {
+                                                        let _e1417 = phi_2932_;
+                                                        phi_3193_ = _e795;
+                                                        phi_3092_ = _e1417;
+                                                        if _e1417 {
                                                             break;
                                                         }
-                                                        let _e1258 = local[7u].member_3;
-                                                        if (_e1258 != 4294967295u) {
-                                                            let _e1262 = local[7u].member;
-                                                            phi_2854_ = _e1262;
+                                                        let _e1420 = local[7u].member_3;
+                                                        if (_e1420 != 4294967295u) {
+                                                            let _e1424 = local[7u].member;
+                                                            phi_3284_ = _e1424;
                                                         } else {
-                                                            phi_2854_ = _e633;
+                                                            phi_3284_ = _e795;
                                                         }
-                                                        let _e1264 = phi_2854_;
-                                                        phi_2853_ = _e1264;
-                                                        phi_2676_ = _e1255;
+                                                        let _e1426 = phi_3284_;
+                                                        phi_3283_ = _e1426;
+                                                        phi_3095_ = _e1417;
                                                     } else {
-                                                        phi_2853_ = _e633;
-                                                        phi_2676_ = _e631;
+                                                        phi_3283_ = _e795;
+                                                        phi_3095_ = _e793;
                                                     }
-                                                    let _e1266 = phi_2853_;
-                                                    let _e1268 = phi_2676_;
-                                                    phi_2852_ = _e1266;
-                                                    phi_2675_ = _e1268;
+                                                    let _e1428 = phi_3283_;
+                                                    let _e1430 = phi_3095_;
+                                                    phi_3282_ = _e1428;
+                                                    phi_3094_ = _e1430;
                                                 } else {
-                                                    phi_2852_ = _e633;
-                                                    phi_2675_ = _e631;
+                                                    phi_3282_ = _e795;
+                                                    phi_3094_ = _e793;
                                                 }
-                                                let _e1270 = phi_2852_;
-                                                let _e1272 = phi_2675_;
-                                                phi_2851_ = _e1270;
-                                                phi_2674_ = _e1272;
+                                                let _e1432 = phi_3282_;
+                                                let _e1434 = phi_3094_;
+                                                phi_3281_ = _e1432;
+                                                phi_3093_ = _e1434;
                                             } else {
-                                                phi_2851_ = _e633;
-                                                phi_2674_ = _e631;
+                                                phi_3281_ = _e795;
+                                                phi_3093_ = _e793;
                                             }
-                                            let _e1274 = phi_2851_;
-                                            let _e1276 = phi_2674_;
+                                            let _e1436 = phi_3281_;
+                                            let _e1438 = phi_3093_;
                                             continue;
                                             continuing {
-                                                phi_2540_ = _e1276;
-                                                phi_2530_ = _e1274;
-                                                phi_783_ = _e648;
-                                                phi_2763_ = _e1274;
-                                                phi_2673_ = _e1276;
-                                                break if !(_e654);
+                                                phi_2941_ = _e1438;
+                                                phi_2931_ = _e1436;
+                                                phi_1086_ = _e810;
+                                                phi_3193_ = _e1436;
+                                                phi_3092_ = _e1438;
+                                                break if !(_e816);
                                             }
                                         }
-                                        let _e1279 = phi_2763_;
-                                        let _e1281 = phi_2673_;
-                                        phi_2678_ = _e1281;
-                                        if _e1281 {
+                                        let _e1441 = phi_3193_;
+                                        let _e1443 = phi_3092_;
+                                        phi_3097_ = _e1443;
+                                        if _e1443 {
                                             break;
                                         }
-                                        phi_2728_ = _e1279;
-                                        phi_2682_ = _e1281;
-                                        phi_2317_ = _e430;
-                                        phi_2318_ = false;
-                                        phi_2319_ = _e434;
+                                        phi_3158_ = _e1441;
+                                        phi_3101_ = _e1443;
+                                        phi_2620_ = _e592;
+                                        phi_2621_ = false;
+                                        phi_2622_ = _e596;
                                     } else {
-                                        if (_e430 >= _e71) {
-                                            phi_1921_ = type_39(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e592 >= _e78) {
+                                            phi_2224_ = type_39(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e430 < _e71) {
+                                            if (_e592 < _e78) {
                                             } else {
-                                                phi_2678_ = true;
+                                                phi_3097_ = true;
                                                 break;
                                             }
-                                            let _e444 = (_e199 % 3u);
-                                            if (_e444 < 3u) {
+                                            let _e606 = (_e206 % 3u);
+                                            if (_e606 < 3u) {
                                             } else {
-                                                phi_2678_ = true;
+                                                phi_3097_ = true;
                                                 break;
                                             }
-                                            let _e450 = global_2.member[_e430].member[_e444];
-                                            let _e456 = (_e198 % 3u);
-                                            if (_e456 < 3u) {
+                                            let _e612 = global_2.member[_e592].member[_e606];
+                                            let _e618 = (_e205 % 3u);
+                                            if (_e618 < 3u) {
                                             } else {
-                                                phi_2678_ = true;
+                                                phi_3097_ = true;
                                                 break;
                                             }
-                                            let _e462 = global_2.member[_e430].member[_e456];
-                                            let _e468 = (_e200 % 3u);
-                                            if (_e468 < 3u) {
+                                            let _e624 = global_2.member[_e592].member[_e618];
+                                            let _e630 = (_e207 % 3u);
+                                            if (_e630 < 3u) {
                                             } else {
-                                                phi_2678_ = true;
+                                                phi_3097_ = true;
                                                 break;
                                             }
-                                            let _e474 = global_2.member[_e430].member[_e468];
-                                            let _e484 = global_2.member[_e430].member_1;
-                                            let _e488 = global_2.member[_e430].member_2;
-                                            phi_1921_ = type_39(array<vec4<f32>, 3>(vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3]), vec4<f32>(_e462[0], _e462[1], _e462[2], _e462[3]), vec4<f32>(_e474[0], _e474[1], _e474[2], _e474[3])), _e484, _e488);
+                                            let _e636 = global_2.member[_e592].member[_e630];
+                                            let _e646 = global_2.member[_e592].member_1;
+                                            let _e650 = global_2.member[_e592].member_2;
+                                            phi_2224_ = type_39(array<vec4<f32>, 3>(vec4<f32>(_e612[0], _e612[1], _e612[2], _e612[3]), vec4<f32>(_e624[0], _e624[1], _e624[2], _e624[3]), vec4<f32>(_e636[0], _e636[1], _e636[2], _e636[3])), _e646, _e650);
                                         }
-                                        let _e491 = phi_1921_;
-                                        let _e502 = ((_e491.member[0].x - _e271) * _e276);
-                                        let _e503 = ((_e491.member[0].y - _e271) * _e276);
-                                        let _e504 = ((_e491.member[0].z - _e272) * _e276);
-                                        let _e505 = ((_e491.member[0].w - _e272) * _e276);
-                                        let _e515 = ((_e491.member[1].x - _e309) * _e314);
-                                        let _e516 = ((_e491.member[1].y - _e309) * _e314);
-                                        let _e517 = ((_e491.member[1].z - _e310) * _e314);
-                                        let _e518 = ((_e491.member[1].w - _e310) * _e314);
-                                        let _e528 = ((_e491.member[2].x - _e347) * _e352);
-                                        let _e529 = ((_e491.member[2].y - _e347) * _e352);
-                                        let _e530 = ((_e491.member[2].z - _e348) * _e352);
-                                        let _e531 = ((_e491.member[2].w - _e348) * _e352);
-                                        let _e533 = select(_e530, _e528, (_e528 < _e530));
-                                        let _e535 = select(_e531, _e529, (_e529 < _e531));
-                                        let _e537 = select(_e530, _e528, (_e528 > _e530));
-                                        let _e539 = select(_e531, _e529, (_e529 > _e531));
-                                        let _e541 = select(_e504, _e502, (_e502 < _e504));
-                                        let _e543 = select(_e505, _e503, (_e503 < _e505));
-                                        let _e545 = select(_e517, _e515, (_e515 < _e517));
-                                        let _e547 = select(_e518, _e516, (_e516 < _e518));
-                                        let _e549 = select(_e545, _e541, (_e541 > _e545));
-                                        let _e551 = select(_e547, _e543, (_e543 > _e547));
-                                        let _e553 = select(_e533, _e549, (_e549 > _e533));
-                                        let _e555 = select(_e535, _e551, (_e551 > _e535));
-                                        let _e557 = select(_e504, _e502, (_e502 > _e504));
-                                        let _e559 = select(_e505, _e503, (_e503 > _e505));
-                                        let _e561 = select(_e517, _e515, (_e515 > _e517));
-                                        let _e563 = select(_e518, _e516, (_e516 > _e518));
-                                        let _e565 = select(_e561, _e557, (_e557 < _e561));
-                                        let _e567 = select(_e563, _e559, (_e559 < _e563));
-                                        let _e572 = -(_e533);
-                                        let _e573 = -(_e535);
-                                        let _e580 = (select(_e537, _e565, (_e565 < _e537)) + (select(_e572, _e537, (_e537 > _e572)) * 0.0000019073523f));
-                                        let _e581 = (select(_e539, _e567, (_e567 < _e539)) + (select(_e573, _e539, (_e539 > _e573)) * 0.0000019073523f));
-                                        let _e583 = select(_e399, _e553, (_e553 > _e399));
-                                        let _e585 = select(_e399, _e555, (_e555 > _e399));
-                                        let _e590 = (_e583 <= select(_e408, _e580, (_e580 < _e408)));
-                                        let _e591 = (_e585 <= select(_e408, _e581, (_e581 < _e408)));
-                                        let _e592 = (_e583 <= _e585);
-                                        if _e590 {
-                                            if _e591 {
-                                                if _e592 {
-                                                    phi_2266_ = _e491.member_2;
+                                        let _e653 = phi_2224_;
+                                        let _e664 = ((_e653.member[0].x - _e308) * _e313);
+                                        let _e665 = ((_e653.member[0].y - _e308) * _e313);
+                                        let _e666 = ((_e653.member[0].z - _e309) * _e313);
+                                        let _e667 = ((_e653.member[0].w - _e309) * _e313);
+                                        let _e677 = ((_e653.member[1].x - _e376) * _e381);
+                                        let _e678 = ((_e653.member[1].y - _e376) * _e381);
+                                        let _e679 = ((_e653.member[1].z - _e377) * _e381);
+                                        let _e680 = ((_e653.member[1].w - _e377) * _e381);
+                                        let _e690 = ((_e653.member[2].x - _e444) * _e449);
+                                        let _e691 = ((_e653.member[2].y - _e444) * _e449);
+                                        let _e692 = ((_e653.member[2].z - _e445) * _e449);
+                                        let _e693 = ((_e653.member[2].w - _e445) * _e449);
+                                        let _e695 = select(_e692, _e690, (_e690 < _e692));
+                                        let _e697 = select(_e693, _e691, (_e691 < _e693));
+                                        let _e699 = select(_e692, _e690, (_e690 > _e692));
+                                        let _e701 = select(_e693, _e691, (_e691 > _e693));
+                                        let _e703 = select(_e666, _e664, (_e664 < _e666));
+                                        let _e705 = select(_e667, _e665, (_e665 < _e667));
+                                        let _e707 = select(_e679, _e677, (_e677 < _e679));
+                                        let _e709 = select(_e680, _e678, (_e678 < _e680));
+                                        let _e711 = select(_e707, _e703, (_e703 > _e707));
+                                        let _e713 = select(_e709, _e705, (_e705 > _e709));
+                                        let _e715 = select(_e695, _e711, (_e711 > _e695));
+                                        let _e717 = select(_e697, _e713, (_e713 > _e697));
+                                        let _e719 = select(_e666, _e664, (_e664 > _e666));
+                                        let _e721 = select(_e667, _e665, (_e665 > _e667));
+                                        let _e723 = select(_e679, _e677, (_e677 > _e679));
+                                        let _e725 = select(_e680, _e678, (_e678 > _e680));
+                                        let _e727 = select(_e723, _e719, (_e719 < _e723));
+                                        let _e729 = select(_e725, _e721, (_e721 < _e725));
+                                        let _e734 = -(_e695);
+                                        let _e735 = -(_e697);
+                                        let _e742 = (select(_e699, _e727, (_e727 < _e699)) + (select(_e734, _e699, (_e699 > _e734)) * 0.0000019073523f));
+                                        let _e743 = (select(_e701, _e729, (_e729 < _e701)) + (select(_e735, _e701, (_e701 > _e735)) * 0.0000019073523f));
+                                        let _e745 = select(_e561, _e715, (_e715 > _e561));
+                                        let _e747 = select(_e561, _e717, (_e717 > _e561));
+                                        let _e752 = (_e745 <= select(_e570, _e742, (_e742 < _e570)));
+                                        let _e753 = (_e747 <= select(_e570, _e743, (_e743 < _e570)));
+                                        let _e754 = (_e745 <= _e747);
+                                        if _e752 {
+                                            if _e753 {
+                                                if _e754 {
+                                                    phi_2569_ = _e653.member_2;
                                                 } else {
-                                                    phi_2266_ = _e491.member_1;
+                                                    phi_2569_ = _e653.member_1;
                                                 }
-                                                let _e596 = phi_2266_;
-                                                let _e599 = (_e434 % 128u);
-                                                let _e600 = (_e599 < 128u);
-                                                if _e600 {
+                                                let _e758 = phi_2569_;
+                                                let _e761 = (_e596 % 128u);
+                                                let _e762 = (_e761 < 128u);
+                                                if _e762 {
                                                 } else {
-                                                    phi_2678_ = true;
+                                                    phi_3097_ = true;
                                                     break;
                                                 }
-                                                local_2[_e599] = _e596;
-                                                if _e600 {
+                                                local_2[_e761] = _e758;
+                                                if _e762 {
                                                 } else {
-                                                    phi_2678_ = true;
+                                                    phi_3097_ = true;
                                                     break;
                                                 }
-                                                local_1[_e599] = select(_e585, _e583, (_e583 > _e585));
-                                                if _e592 {
-                                                    phi_2294_ = _e491.member_1;
+                                                local_1[_e761] = select(_e747, _e745, (_e745 > _e747));
+                                                if _e754 {
+                                                    phi_2597_ = _e653.member_1;
                                                 } else {
-                                                    phi_2294_ = _e491.member_2;
+                                                    phi_2597_ = _e653.member_2;
                                                 }
-                                                let _e607 = phi_2294_;
-                                                phi_2295_ = _e607;
-                                                phi_2296_ = (_e434 + 1u);
+                                                let _e769 = phi_2597_;
+                                                phi_2598_ = _e769;
+                                                phi_2599_ = (_e596 + 1u);
                                             } else {
-                                                phi_2295_ = u32();
-                                                phi_2296_ = u32();
+                                                phi_2598_ = u32();
+                                                phi_2599_ = u32();
                                             }
-                                            let _e609 = phi_2295_;
-                                            let _e611 = phi_2296_;
-                                            phi_2298_ = _e609;
-                                            phi_2299_ = _e611;
-                                            phi_2300_ = select(true, false, _e591);
+                                            let _e771 = phi_2598_;
+                                            let _e773 = phi_2599_;
+                                            phi_2601_ = _e771;
+                                            phi_2602_ = _e773;
+                                            phi_2603_ = select(true, false, _e753);
                                         } else {
-                                            phi_2298_ = u32();
-                                            phi_2299_ = u32();
-                                            phi_2300_ = true;
+                                            phi_2601_ = u32();
+                                            phi_2602_ = u32();
+                                            phi_2603_ = true;
                                         }
-                                        let _e614 = phi_2298_;
-                                        let _e616 = phi_2299_;
-                                        let _e618 = phi_2300_;
-                                        if _e618 {
-                                            if _e590 {
-                                                phi_2309_ = _e491.member_1;
+                                        let _e776 = phi_2601_;
+                                        let _e778 = phi_2602_;
+                                        let _e780 = phi_2603_;
+                                        if _e780 {
+                                            if _e752 {
+                                                phi_2612_ = _e653.member_1;
                                             } else {
-                                                phi_2309_ = _e491.member_2;
+                                                phi_2612_ = _e653.member_2;
                                             }
-                                            let _e622 = phi_2309_;
-                                            phi_2314_ = _e622;
-                                            phi_2315_ = select(_e591, true, _e590);
+                                            let _e784 = phi_2612_;
+                                            phi_2617_ = _e784;
+                                            phi_2618_ = select(_e753, true, _e752);
                                         } else {
-                                            phi_2314_ = _e614;
-                                            phi_2315_ = _e432;
+                                            phi_2617_ = _e776;
+                                            phi_2618_ = _e594;
                                         }
-                                        let _e625 = phi_2314_;
-                                        let _e627 = phi_2315_;
-                                        phi_2728_ = _e408;
-                                        phi_2682_ = _e406;
-                                        phi_2317_ = _e625;
-                                        phi_2318_ = _e627;
-                                        phi_2319_ = select(_e616, _e434, _e618);
+                                        let _e787 = phi_2617_;
+                                        let _e789 = phi_2618_;
+                                        phi_3158_ = _e570;
+                                        phi_3101_ = _e568;
+                                        phi_2620_ = _e787;
+                                        phi_2621_ = _e789;
+                                        phi_2622_ = select(_e778, _e596, _e780);
                                     }
-                                    let _e1283 = phi_2728_;
-                                    let _e1285 = phi_2682_;
-                                    let _e1287 = phi_2317_;
-                                    let _e1289 = phi_2318_;
-                                    let _e1291 = phi_2319_;
-                                    phi_2727_ = _e1283;
-                                    phi_2681_ = _e1285;
-                                    phi_2320_ = _e1287;
-                                    phi_2321_ = (_e412 - 1u);
-                                    phi_2322_ = _e1289;
-                                    phi_2323_ = _e1291;
+                                    let _e1445 = phi_3158_;
+                                    let _e1447 = phi_3101_;
+                                    let _e1449 = phi_2620_;
+                                    let _e1451 = phi_2621_;
+                                    let _e1453 = phi_2622_;
+                                    phi_3157_ = _e1445;
+                                    phi_3100_ = _e1447;
+                                    phi_2623_ = _e1449;
+                                    phi_2624_ = (_e574 - 1u);
+                                    phi_2625_ = _e1451;
+                                    phi_2626_ = _e1453;
                                 } else {
-                                    phi_2727_ = _e408;
-                                    phi_2681_ = _e406;
-                                    phi_2320_ = _e430;
-                                    phi_2321_ = _e412;
-                                    phi_2322_ = _e432;
-                                    phi_2323_ = _e434;
+                                    phi_3157_ = _e570;
+                                    phi_3100_ = _e568;
+                                    phi_2623_ = _e592;
+                                    phi_2624_ = _e574;
+                                    phi_2625_ = _e594;
+                                    phi_2626_ = _e596;
                                 }
-                                let _e1293 = phi_2727_;
-                                let _e1295 = phi_2681_;
-                                let _e1297 = phi_2320_;
-                                let _e1299 = phi_2321_;
-                                let _e1301 = phi_2322_;
-                                let _e1303 = phi_2323_;
-                                phi_2726_ = _e1293;
-                                phi_2680_ = _e1295;
-                                phi_2324_ = _e1297;
-                                phi_2325_ = _e1299;
-                                phi_2326_ = _e1301;
-                                phi_2327_ = _e1303;
+                                let _e1455 = phi_3157_;
+                                let _e1457 = phi_3100_;
+                                let _e1459 = phi_2623_;
+                                let _e1461 = phi_2624_;
+                                let _e1463 = phi_2625_;
+                                let _e1465 = phi_2626_;
+                                phi_3156_ = _e1455;
+                                phi_3099_ = _e1457;
+                                phi_2627_ = _e1459;
+                                phi_2628_ = _e1461;
+                                phi_2629_ = _e1463;
+                                phi_2630_ = _e1465;
                             } else {
-                                phi_2726_ = _e408;
-                                phi_2680_ = _e406;
-                                phi_2324_ = u32();
-                                phi_2325_ = u32();
-                                phi_2326_ = bool();
-                                phi_2327_ = u32();
+                                phi_3156_ = _e570;
+                                phi_3099_ = _e568;
+                                phi_2627_ = u32();
+                                phi_2628_ = u32();
+                                phi_2629_ = bool();
+                                phi_2630_ = u32();
                             }
-                            let _e1305 = phi_2726_;
-                            let _e1307 = phi_2680_;
-                            let _e1309 = phi_2324_;
-                            let _e1311 = phi_2325_;
-                            let _e1313 = phi_2326_;
-                            let _e1315 = phi_2327_;
-                            phi_2725_ = _e1305;
-                            phi_2679_ = _e1307;
-                            phi_716_ = _e1309;
-                            phi_719_ = _e1311;
-                            phi_721_ = _e1313;
-                            phi_723_ = _e1315;
-                            phi_2328_ = _e420;
+                            let _e1467 = phi_3156_;
+                            let _e1469 = phi_3099_;
+                            let _e1471 = phi_2627_;
+                            let _e1473 = phi_2628_;
+                            let _e1475 = phi_2629_;
+                            let _e1477 = phi_2630_;
+                            phi_3155_ = _e1467;
+                            phi_3098_ = _e1469;
+                            phi_1019_ = _e1471;
+                            phi_1022_ = _e1473;
+                            phi_1024_ = _e1475;
+                            phi_1026_ = _e1477;
+                            phi_2631_ = _e582;
                         } else {
-                            phi_2725_ = _e408;
-                            phi_2679_ = _e406;
-                            phi_716_ = u32();
-                            phi_719_ = u32();
-                            phi_721_ = bool();
-                            phi_723_ = u32();
-                            phi_2328_ = false;
+                            phi_3155_ = _e570;
+                            phi_3098_ = _e568;
+                            phi_1019_ = u32();
+                            phi_1022_ = u32();
+                            phi_1024_ = bool();
+                            phi_1026_ = u32();
+                            phi_2631_ = false;
                         }
-                        let _e1317 = phi_2725_;
-                        let _e1319 = phi_2679_;
-                        let _e1321 = phi_716_;
-                        let _e1323 = phi_719_;
-                        let _e1325 = phi_721_;
-                        let _e1327 = phi_723_;
-                        let _e1329 = phi_2328_;
+                        let _e1479 = phi_3155_;
+                        let _e1481 = phi_3098_;
+                        let _e1483 = phi_1019_;
+                        let _e1485 = phi_1022_;
+                        let _e1487 = phi_1024_;
+                        let _e1489 = phi_1026_;
+                        let _e1491 = phi_2631_;
                         continue;
                         continuing {
-                            phi_2543_ = _e1319;
-                            phi_2523_ = _e1317;
-                            phi_715_ = _e1321;
-                            phi_718_ = _e1323;
-                            phi_720_ = _e1325;
-                            phi_722_ = _e1327;
-                            phi_2678_ = _e1319;
-                            break if !(_e1329);
+                            phi_2944_ = _e1481;
+                            phi_2924_ = _e1479;
+                            phi_1018_ = _e1483;
+                            phi_1021_ = _e1485;
+                            phi_1023_ = _e1487;
+                            phi_1025_ = _e1489;
+                            phi_3097_ = _e1481;
+                            break if !(_e1491);
                         }
                     }
-                    let _e1332 = phi_2678_;
-                    if _e1332 {
+                    let _e1494 = phi_3097_;
+                    if _e1494 {
                         break;
                     }
-                    phi_2335_ = type_4(0u, 8u);
+                    phi_2638_ = type_4(0u, 8u);
                     loop {
-                        let _e1334 = phi_2335_;
-                        if (_e1334.member < _e1334.member_1) {
-                            phi_2336_ = type_4((_e1334.member + 1u), _e1334.member_1);
-                            phi_2359_ = type_4(1u, _e1334.member);
+                        let _e1496 = phi_2638_;
+                        if (_e1496.member < _e1496.member_1) {
+                            phi_2639_ = type_4((_e1496.member + 1u), _e1496.member_1);
+                            phi_2662_ = type_4(1u, _e1496.member);
                         } else {
-                            phi_2336_ = _e1334;
-                            phi_2359_ = type_4(0u, type_4().member_1);
+                            phi_2639_ = _e1496;
+                            phi_2662_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1347 = phi_2336_;
-                        let _e1349 = phi_2359_;
-                        let _e1353 = (bitcast<i32>(_e1349.member) != 0i);
-                        if _e1353 {
-                            let _e1354 = (_e1349.member_1 < 8u);
-                            if _e1354 {
+                        let _e1509 = phi_2639_;
+                        let _e1511 = phi_2662_;
+                        let _e1515 = (bitcast<i32>(_e1511.member) != 0i);
+                        if _e1515 {
+                            let _e1516 = (_e1511.member_1 < 8u);
+                            if _e1516 {
                             } else {
-                                phi_2718_ = true;
+                                phi_3137_ = true;
                                 break;
                             }
-                            let _e1356 = local[_e1349.member_1];
-                            if (_e1356.member_3 != 4294967295u) {
-                                let _e1362 = -(_e366);
-                                let _e1363 = (_e1362 / 3i);
-                                let _e1370 = bitcast<f32>((bitcast<u32>((_e1363 + 127i)) << bitcast<u32>(23i)));
-                                let _e1378 = (((_e1356.member * _e1370) * _e1370) * bitcast<f32>((bitcast<u32>(((_e1362 - (2i * _e1363)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1380 = select(340282350000000000000000000000000000000f, _e1378, (_e1378 < 340282350000000000000000000000000000000f));
-                                phi_2425_ = type_23(select(-340282350000000000000000000000000000000f, _e1380, (_e1380 > -340282350000000000000000000000000000000f)), _e1356.member_1, _e1356.member_2, _e1356.member_3);
+                            let _e1518 = local[_e1511.member_1];
+                            if (_e1518.member_3 != 4294967295u) {
+                                let _e1524 = -(_e463);
+                                let _e1525 = bitcast<u32>(_e1518.member);
+                                let _e1529 = (bitcast<i32>((_e1525 >> bitcast<u32>(23i))) & 255i);
+                                let _e1530 = (_e1529 + _e1524);
+                                if (_e1529 == 255i) {
+                                    phi_2735_ = _e1518.member;
+                                } else {
+                                    if (_e1529 > 0i) {
+                                        if (_e1530 > 0i) {
+                                            let _e1534 = (_e1530 < 255i);
+                                            if _e1534 {
+                                                phi_2714_ = bitcast<f32>((_e1525 + bitcast<u32>((_e1524 << bitcast<u32>(23i)))));
+                                            } else {
+                                                phi_2714_ = f32();
+                                            }
+                                            let _e1541 = phi_2714_;
+                                            phi_2716_ = _e1541;
+                                            phi_2717_ = select(true, false, _e1534);
+                                        } else {
+                                            phi_2716_ = f32();
+                                            phi_2717_ = true;
+                                        }
+                                        let _e1544 = phi_2716_;
+                                        let _e1546 = phi_2717_;
+                                        phi_2718_ = _e1544;
+                                        phi_2719_ = _e1546;
+                                    } else {
+                                        phi_2718_ = f32();
+                                        phi_2719_ = true;
+                                    }
+                                    let _e1548 = phi_2718_;
+                                    let _e1550 = phi_2719_;
+                                    if _e1550 {
+                                        let _e1551 = (_e1525 & 2147483648u);
+                                        let _e1558 = ((_e1525 & 8388607u) | (select(0u, 1u, ((_e1525 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1562 = (_e1558 == 0u);
+                                        if _e1562 {
+                                            phi_2908_ = bitcast<f32>(_e1551);
+                                        } else {
+                                            let _e1567 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1558)), 32u, _e1562) - 8u);
+                                            let _e1570 = (_e1558 << bitcast<u32>((_e1567 & 31u)));
+                                            let _e1572 = ((_e1530 + select(0i, 1i, (_e1529 == 0i))) - bitcast<i32>(_e1567));
+                                            if (_e1572 >= 255i) {
+                                                phi_2898_ = bitcast<f32>((_e1551 | 2139095040u));
+                                                phi_2899_ = f32();
+                                                phi_2900_ = true;
+                                            } else {
+                                                let _e1574 = (_e1572 > 0i);
+                                                if _e1574 {
+                                                    phi_2892_ = bitcast<f32>(((_e1551 | (bitcast<u32>(_e1572) << bitcast<u32>(23i))) | (_e1570 & 8388607u)));
+                                                    phi_2893_ = f32();
+                                                } else {
+                                                    if (_e1572 < -24i) {
+                                                        phi_2858_ = 26u;
+                                                    } else {
+                                                        phi_2858_ = bitcast<u32>((1i - _e1572));
+                                                    }
+                                                    let _e1579 = phi_2858_;
+                                                    let _e1580 = (_e1579 & 31u);
+                                                    let _e1582 = (_e1570 >> bitcast<u32>(_e1580));
+                                                    let _e1586 = (_e1570 & ((1u << bitcast<u32>(_e1580)) - 1u));
+                                                    let _e1590 = (1u << bitcast<u32>(((_e1579 - 1u) & 31u)));
+                                                    if (_e1586 > _e1590) {
+                                                        phi_2879_ = true;
+                                                    } else {
+                                                        if (_e1586 == _e1590) {
+                                                            phi_2876_ = ((_e1582 & 1u) == 1u);
+                                                        } else {
+                                                            phi_2876_ = false;
+                                                        }
+                                                        let _e1596 = phi_2876_;
+                                                        phi_2879_ = _e1596;
+                                                    }
+                                                    let _e1598 = phi_2879_;
+                                                    phi_2892_ = f32();
+                                                    phi_2893_ = bitcast<f32>((_e1551 | (_e1582 + select(0u, 1u, _e1598))));
+                                                }
+                                                let _e1611 = phi_2892_;
+                                                let _e1613 = phi_2893_;
+                                                phi_2898_ = _e1611;
+                                                phi_2899_ = _e1613;
+                                                phi_2900_ = _e1574;
+                                            }
+                                            let _e1617 = phi_2898_;
+                                            let _e1619 = phi_2899_;
+                                            let _e1621 = phi_2900_;
+                                            phi_2908_ = select(_e1619, _e1617, _e1621);
+                                        }
+                                        let _e1625 = phi_2908_;
+                                        phi_2734_ = _e1625;
+                                    } else {
+                                        phi_2734_ = _e1548;
+                                    }
+                                    let _e1627 = phi_2734_;
+                                    phi_2735_ = _e1627;
+                                }
+                                let _e1629 = phi_2735_;
+                                let _e1630 = bitcast<u32>(_e1629);
+                                if ((_e1630 & 2147483647u) >= 2139095040u) {
+                                    phi_2747_ = bitcast<f32>(((_e1630 & 2147483648u) | 2139095039u));
+                                } else {
+                                    phi_2747_ = _e1629;
+                                }
+                                let _e1637 = phi_2747_;
+                                phi_2752_ = type_23(_e1637, _e1518.member_1, _e1518.member_2, _e1518.member_3);
                             } else {
-                                phi_2425_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_2752_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1385 = phi_2425_;
-                            if _e1354 {
+                            let _e1640 = phi_2752_;
+                            if _e1516 {
                             } else {
-                                phi_2718_ = true;
+                                phi_3137_ = true;
                                 break;
                             }
-                            local[_e1349.member_1] = type_23(_e1385.member, _e1385.member_1, _e1385.member_2, _e1385.member_3);
+                            local[_e1511.member_1] = type_23(_e1640.member, _e1640.member_1, _e1640.member_2, _e1640.member_3);
                         }
                         continue;
                         continuing {
-                            phi_2335_ = _e1347;
-                            phi_2718_ = _e1332;
-                            break if !(_e1353);
+                            phi_2638_ = _e1509;
+                            phi_3137_ = _e1494;
+                            break if !(_e1515);
                         }
                     }
-                    let _e1393 = phi_2718_;
-                    if _e1393 {
+                    let _e1648 = phi_3137_;
+                    if _e1648 {
                         break;
                     }
-                    let _e1394 = local;
-                    if _e87 {
+                    let _e1649 = local;
+                    if _e94 {
                     } else {
                         break;
                     }
-                    global_5.member[_e81] = array<type_23, 8>(type_23(_e1394[0].member, _e1394[0].member_1, _e1394[0].member_2, _e1394[0].member_3), type_23(_e1394[1].member, _e1394[1].member_1, _e1394[1].member_2, _e1394[1].member_3), type_23(_e1394[2].member, _e1394[2].member_1, _e1394[2].member_2, _e1394[2].member_3), type_23(_e1394[3].member, _e1394[3].member_1, _e1394[3].member_2, _e1394[3].member_3), type_23(_e1394[4].member, _e1394[4].member_1, _e1394[4].member_2, _e1394[4].member_3), type_23(_e1394[5].member, _e1394[5].member_1, _e1394[5].member_2, _e1394[5].member_3), type_23(_e1394[6].member, _e1394[6].member_1, _e1394[6].member_2, _e1394[6].member_3), type_23(_e1394[7].member, _e1394[7].member_1, _e1394[7].member_2, _e1394[7].member_3));
+                    global_5.member[_e88] = array<type_23, 8>(type_23(_e1649[0].member, _e1649[0].member_1, _e1649[0].member_2, _e1649[0].member_3), type_23(_e1649[1].member, _e1649[1].member_1, _e1649[1].member_2, _e1649[1].member_3), type_23(_e1649[2].member, _e1649[2].member_1, _e1649[2].member_2, _e1649[2].member_3), type_23(_e1649[3].member, _e1649[3].member_1, _e1649[3].member_2, _e1649[3].member_3), type_23(_e1649[4].member, _e1649[4].member_1, _e1649[4].member_2, _e1649[4].member_3), type_23(_e1649[5].member, _e1649[5].member_1, _e1649[5].member_2, _e1649[5].member_3), type_23(_e1649[6].member, _e1649[6].member_1, _e1649[6].member_2, _e1649[6].member_3), type_23(_e1649[7].member, _e1649[7].member_1, _e1649[7].member_2, _e1649[7].member_3));
                 }
             }
             break;

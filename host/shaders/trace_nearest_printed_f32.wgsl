@@ -89,408 +89,485 @@ fn function_() {
     var local_8: array<f32, 128>;
     var local_9: array<f32, 3>;
     var local_10: array<f32, 3>;
-    var phi_338_: i32;
-    var phi_339_: i32;
-    var phi_349_: bool;
-    var phi_359_: u32;
-    var phi_360_: u32;
-    var phi_362_: bool;
-    var phi_367_: u32;
-    var phi_379_: i32;
-    var phi_399_: i32;
-    var phi_417_: f32;
-    var phi_423_: f32;
-    var phi_434_: f32;
-    var phi_440_: f32;
-    var phi_463_: f32;
-    var phi_474_: f32;
-    var phi_483_: f32;
-    var phi_489_: f32;
-    var phi_500_: f32;
-    var phi_506_: f32;
-    var phi_529_: f32;
-    var phi_540_: f32;
-    var phi_549_: f32;
-    var phi_555_: f32;
-    var phi_566_: f32;
-    var phi_572_: f32;
-    var phi_595_: f32;
-    var phi_606_: f32;
-    var phi_706_: f32;
-    var phi_707_: f32;
-    var phi_3261_: bool;
-    var phi_3217_: f32;
-    var phi_833_: type_51;
-    var phi_836_: u32;
-    var phi_838_: bool;
-    var phi_840_: u32;
-    var phi_851_: bool;
-    var phi_938_: type_51;
-    var phi_939_: bool;
+    var phi_420_: i32;
+    var phi_421_: i32;
+    var phi_431_: bool;
+    var phi_441_: u32;
+    var phi_442_: u32;
+    var phi_444_: bool;
+    var phi_449_: u32;
+    var phi_461_: i32;
+    var phi_481_: i32;
+    var phi_499_: f32;
+    var phi_505_: f32;
+    var phi_545_: f32;
+    var phi_551_: f32;
+    var phi_603_: f32;
+    var phi_614_: f32;
+    var phi_623_: f32;
+    var phi_629_: f32;
+    var phi_669_: f32;
+    var phi_675_: f32;
+    var phi_727_: f32;
+    var phi_738_: f32;
+    var phi_747_: f32;
+    var phi_753_: f32;
+    var phi_793_: f32;
+    var phi_799_: f32;
+    var phi_851_: f32;
+    var phi_862_: f32;
+    var phi_917_: i32;
+    var phi_939_: u32;
     var phi_940_: u32;
-    var phi_2055_: type_44;
-    var phi_2888_: type_51;
-    var phi_2965_: type_51;
-    var phi_2966_: type_51;
-    var phi_2967_: u32;
-    var phi_2969_: type_51;
-    var phi_2970_: u32;
-    var phi_2971_: bool;
-    var phi_2978_: type_51;
-    var phi_2983_: type_51;
-    var phi_2984_: bool;
-    var phi_3258_: bool;
-    var phi_3248_: f32;
-    var phi_958_: type_4;
-    var phi_959_: type_4;
-    var phi_982_: type_4;
-    var phi_1003_: u32;
-    var phi_1092_: array<array<f32, 3>, 3>;
-    var phi_1210_: bool;
-    var phi_1239_: bool;
-    var phi_1640_: f32;
-    var phi_1641_: f32;
-    var phi_1642_: f32;
-    var phi_1643_: f32;
-    var phi_1644_: vec3<f32>;
-    var phi_1645_: vec3<f32>;
-    var phi_1646_: vec3<f32>;
-    var phi_1647_: vec3<f32>;
-    var phi_1678_: bool;
-    var phi_1687_: vec3<f32>;
-    var phi_1852_: f32;
-    var phi_1854_: f32;
-    var phi_1855_: bool;
-    var phi_1875_: f32;
-    var phi_1876_: f32;
-    var phi_1899_: type_22;
-    var phi_1901_: type_22;
-    var phi_1902_: bool;
-    var phi_1906_: type_22;
-    var phi_1907_: type_22;
-    var phi_1908_: type_22;
-    var phi_1909_: bool;
-    var phi_1913_: type_22;
-    var phi_1914_: bool;
-    var phi_1915_: type_22;
-    var phi_1916_: bool;
-    var phi_1917_: bool;
-    var phi_1918_: type_22;
-    var phi_1919_: bool;
-    var phi_1920_: bool;
-    var phi_1928_: type_22;
-    var phi_1929_: bool;
-    var phi_1933_: type_22;
-    var phi_1945_: type_4;
-    var phi_1948_: type_22;
-    var phi_1946_: type_4;
-    var phi_1971_: type_4;
-    var phi_2003_: bool;
-    var phi_2004_: bool;
-    var phi_2025_: type_22;
-    var phi_1949_: type_22;
-    var phi_3249_: bool;
-    var phi_3596_: f32;
-    var phi_3595_: f32;
-    var phi_3394_: bool;
-    var phi_3594_: f32;
-    var phi_3393_: bool;
-    var phi_3593_: f32;
-    var phi_3392_: bool;
-    var phi_3505_: f32;
-    var phi_3391_: bool;
-    var phi_3470_: f32;
-    var phi_3400_: bool;
-    var phi_2986_: type_51;
-    var phi_2987_: bool;
-    var phi_2988_: u32;
-    var phi_3469_: f32;
-    var phi_3399_: bool;
-    var phi_2989_: type_51;
-    var phi_2990_: u32;
-    var phi_2991_: bool;
-    var phi_2992_: u32;
-    var phi_3468_: f32;
-    var phi_3398_: bool;
-    var phi_2993_: type_51;
-    var phi_2994_: u32;
-    var phi_2995_: bool;
-    var phi_2996_: u32;
-    var phi_3467_: f32;
-    var phi_3397_: bool;
-    var phi_834_: type_51;
-    var phi_837_: u32;
-    var phi_839_: bool;
-    var phi_841_: u32;
-    var phi_2997_: bool;
-    var phi_3396_: bool;
-    var phi_3004_: type_4;
-    var phi_3005_: type_4;
-    var phi_3028_: type_4;
-    var phi_3094_: type_22;
-    var phi_3460_: bool;
+    var phi_977_: i32;
+    var phi_999_: u32;
+    var phi_1000_: u32;
+    var phi_1008_: f32;
+    var phi_1009_: f32;
+    var phi_3685_: bool;
+    var phi_3641_: f32;
+    var phi_1135_: type_51;
+    var phi_1138_: u32;
+    var phi_1140_: bool;
+    var phi_1142_: u32;
+    var phi_1153_: bool;
+    var phi_1240_: type_51;
+    var phi_1241_: bool;
+    var phi_1242_: u32;
+    var phi_2357_: type_44;
+    var phi_3214_: type_51;
+    var phi_3291_: type_51;
+    var phi_3292_: type_51;
+    var phi_3293_: u32;
+    var phi_3295_: type_51;
+    var phi_3296_: u32;
+    var phi_3297_: bool;
+    var phi_3304_: type_51;
+    var phi_3309_: type_51;
+    var phi_3310_: bool;
+    var phi_3682_: bool;
+    var phi_3672_: f32;
+    var phi_1260_: type_4;
+    var phi_1261_: type_4;
+    var phi_1284_: type_4;
+    var phi_1305_: u32;
+    var phi_1394_: array<array<f32, 3>, 3>;
+    var phi_1512_: bool;
+    var phi_1541_: bool;
+    var phi_1942_: f32;
+    var phi_1943_: f32;
+    var phi_1944_: f32;
+    var phi_1945_: f32;
+    var phi_1946_: vec3<f32>;
+    var phi_1947_: vec3<f32>;
+    var phi_1948_: vec3<f32>;
+    var phi_1949_: vec3<f32>;
+    var phi_1980_: bool;
+    var phi_1989_: vec3<f32>;
+    var phi_2154_: f32;
+    var phi_2156_: f32;
+    var phi_2157_: bool;
+    var phi_2177_: f32;
+    var phi_2178_: f32;
+    var phi_2201_: type_22;
+    var phi_2203_: type_22;
+    var phi_2204_: bool;
+    var phi_2208_: type_22;
+    var phi_2209_: type_22;
+    var phi_2210_: type_22;
+    var phi_2211_: bool;
+    var phi_2215_: type_22;
+    var phi_2216_: bool;
+    var phi_2217_: type_22;
+    var phi_2218_: bool;
+    var phi_2219_: bool;
+    var phi_2220_: type_22;
+    var phi_2221_: bool;
+    var phi_2222_: bool;
+    var phi_2230_: type_22;
+    var phi_2231_: bool;
+    var phi_2235_: type_22;
+    var phi_2247_: type_4;
+    var phi_2250_: type_22;
+    var phi_2248_: type_4;
+    var phi_2273_: type_4;
+    var phi_2305_: bool;
+    var phi_2306_: bool;
+    var phi_2327_: type_22;
+    var phi_2251_: type_22;
+    var phi_3673_: bool;
+    var phi_4049_: f32;
+    var phi_4048_: f32;
+    var phi_3836_: bool;
+    var phi_4047_: f32;
+    var phi_3835_: bool;
+    var phi_4046_: f32;
+    var phi_3834_: bool;
+    var phi_3958_: f32;
+    var phi_3833_: bool;
+    var phi_3923_: f32;
+    var phi_3842_: bool;
+    var phi_3312_: type_51;
+    var phi_3313_: bool;
+    var phi_3314_: u32;
+    var phi_3922_: f32;
+    var phi_3841_: bool;
+    var phi_3315_: type_51;
+    var phi_3316_: u32;
+    var phi_3317_: bool;
+    var phi_3318_: u32;
+    var phi_3921_: f32;
+    var phi_3840_: bool;
+    var phi_3319_: type_51;
+    var phi_3320_: u32;
+    var phi_3321_: bool;
+    var phi_3322_: u32;
+    var phi_3920_: f32;
+    var phi_3839_: bool;
+    var phi_1136_: type_51;
+    var phi_1139_: u32;
+    var phi_1141_: bool;
+    var phi_1143_: u32;
+    var phi_3323_: bool;
+    var phi_3838_: bool;
+    var phi_3330_: type_4;
+    var phi_3331_: type_4;
+    var phi_3354_: type_4;
+    var phi_3406_: f32;
+    var phi_3408_: f32;
+    var phi_3409_: bool;
+    var phi_3410_: f32;
+    var phi_3411_: bool;
+    var phi_3550_: u32;
+    var phi_3568_: bool;
+    var phi_3571_: bool;
+    var phi_3584_: f32;
+    var phi_3585_: f32;
+    var phi_3590_: f32;
+    var phi_3591_: f32;
+    var phi_3592_: bool;
+    var phi_3600_: f32;
+    var phi_3426_: f32;
+    var phi_3427_: f32;
+    var phi_3439_: f32;
+    var phi_3444_: type_22;
+    var phi_3902_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e81 = global;
-            let _e84 = arrayLength((&global_5.member));
-            let _e86 = arrayLength((&global_2.member));
-            let _e94 = global_3.member[0u][0u];
-            let _e98 = global_3.member[0u][1u];
-            let _e102 = global_3.member[0u][2u];
-            let _e106 = global_3.member[1u][0u];
-            let _e110 = global_3.member[1u][1u];
-            let _e114 = global_3.member[1u][2u];
-            let _e118 = global_3.member[1u][3u];
-            let _e121 = global_1.member[0u];
-            let _e122 = bitcast<i32>(_e121);
-            let _e132 = (_e81.x + (_e81.y * 2097152u));
-            let _e133 = (_e132 < arrayLength((&global_4.member)));
-            if _e133 {
-                let _e134 = (_e132 < arrayLength((&global_6.member)));
-                if _e134 {
-                    if _e133 {
+            let _e87 = global;
+            let _e90 = arrayLength((&global_5.member));
+            let _e92 = arrayLength((&global_2.member));
+            let _e100 = global_3.member[0u][0u];
+            let _e104 = global_3.member[0u][1u];
+            let _e108 = global_3.member[0u][2u];
+            let _e112 = global_3.member[1u][0u];
+            let _e116 = global_3.member[1u][1u];
+            let _e120 = global_3.member[1u][2u];
+            let _e124 = global_3.member[1u][3u];
+            let _e127 = global_1.member[0u];
+            let _e128 = bitcast<i32>(_e127);
+            let _e138 = (_e87.x + (_e87.y * 2097152u));
+            let _e139 = (_e138 < arrayLength((&global_4.member)));
+            if _e139 {
+                let _e140 = (_e138 < arrayLength((&global_6.member)));
+                if _e140 {
+                    if _e139 {
                     } else {
                         break;
                     }
-                    let _e142 = global_4.member[_e132].member_2[0u];
-                    let _e144 = (bitcast<u32>(_e142) & 2147483647u);
-                    let _e149 = global_4.member[_e132].member_2[1u];
-                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
-                    let _e156 = global_4.member[_e132].member_2[2u];
-                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                    let _e163 = global_4.member[_e132].member[0u];
-                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                    let _e170 = global_4.member[_e132].member[1u];
-                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                    let _e177 = global_4.member[_e132].member[2u];
-                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
-                    let _e181 = select(_e151, _e144, (_e151 < _e144));
-                    let _e183 = select(_e158, _e181, (_e158 < _e181));
-                    let _e185 = select(_e165, _e183, (_e165 < _e183));
-                    let _e187 = select(_e172, _e185, (_e172 < _e185));
-                    let _e189 = select(_e179, _e187, (_e179 < _e187));
-                    let _e193 = global_4.member[_e132].member_1;
-                    let _e195 = (bitcast<u32>(_e193) & 2147483647u);
-                    let _e202 = global_4.member[_e132].member_3;
-                    let _e208 = (((select(_e195, _e189, (_e195 < _e189)) < 2139095040u) && ((bitcast<u32>(_e202) & 2147483647u) <= 2139095040u)) && (_e183 > 0u));
-                    if _e208 {
-                        let _e211 = (bitcast<u32>(bitcast<f32>(_e183)) & 2147483647u);
-                        if (_e211 >= 8388608u) {
-                            phi_338_ = (bitcast<i32>((_e211 >> bitcast<u32>(23i))) - 127i);
+                    let _e148 = global_4.member[_e138].member_2[0u];
+                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
+                    let _e155 = global_4.member[_e138].member_2[1u];
+                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                    let _e162 = global_4.member[_e138].member_2[2u];
+                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
+                    let _e169 = global_4.member[_e138].member[0u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e176 = global_4.member[_e138].member[1u];
+                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
+                    let _e183 = global_4.member[_e138].member[2u];
+                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
+                    let _e187 = select(_e157, _e150, (_e157 < _e150));
+                    let _e189 = select(_e164, _e187, (_e164 < _e187));
+                    let _e191 = select(_e171, _e189, (_e171 < _e189));
+                    let _e193 = select(_e178, _e191, (_e178 < _e191));
+                    let _e195 = select(_e185, _e193, (_e185 < _e193));
+                    let _e199 = global_4.member[_e138].member_1;
+                    let _e200 = bitcast<u32>(_e199);
+                    let _e201 = (_e200 & 2147483647u);
+                    let _e208 = global_4.member[_e138].member_3;
+                    let _e209 = bitcast<u32>(_e208);
+                    let _e210 = (_e209 & 2147483647u);
+                    let _e214 = (((select(_e201, _e195, (_e201 < _e195)) < 2139095040u) && (_e210 <= 2139095040u)) && (_e189 > 0u));
+                    if _e214 {
+                        let _e217 = (bitcast<u32>(bitcast<f32>(_e189)) & 2147483647u);
+                        if (_e217 >= 8388608u) {
+                            phi_420_ = (bitcast<i32>((_e217 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_338_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e211)), 32u, (_e211 == 0u))));
+                            phi_420_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e217)), 32u, (_e217 == 0u))));
                         }
-                        let _e225 = phi_338_;
-                        phi_339_ = _e225;
+                        let _e231 = phi_420_;
+                        phi_421_ = _e231;
                     } else {
-                        phi_339_ = 0i;
+                        phi_421_ = 0i;
                     }
-                    let _e227 = phi_339_;
-                    let _e228 = (_e144 == _e183);
-                    if _e228 {
-                        phi_349_ = true;
+                    let _e233 = phi_421_;
+                    let _e234 = (_e150 == _e189);
+                    if _e234 {
+                        phi_431_ = true;
                     } else {
-                        phi_349_ = (_e151 == _e183);
+                        phi_431_ = (_e157 == _e189);
                     }
-                    let _e231 = phi_349_;
-                    let _e232 = select(1u, 0u, _e228);
-                    if _e231 {
-                        let _e233 = (_e232 + 1u);
-                        phi_359_ = _e233;
-                        phi_360_ = _e233;
-                        phi_362_ = select(true, false, (_e233 == 2u));
+                    let _e237 = phi_431_;
+                    let _e238 = select(1u, 0u, _e234);
+                    if _e237 {
+                        let _e239 = (_e238 + 1u);
+                        phi_441_ = _e239;
+                        phi_442_ = _e239;
+                        phi_444_ = select(true, false, (_e239 == 2u));
                     } else {
-                        phi_359_ = u32();
-                        phi_360_ = 0u;
-                        phi_362_ = true;
+                        phi_441_ = u32();
+                        phi_442_ = 0u;
+                        phi_444_ = true;
                     }
-                    let _e237 = phi_359_;
-                    let _e239 = phi_360_;
-                    let _e241 = phi_362_;
-                    if _e241 {
-                        phi_367_ = (_e239 + 1u);
+                    let _e243 = phi_441_;
+                    let _e245 = phi_442_;
+                    let _e247 = phi_444_;
+                    if _e247 {
+                        phi_449_ = (_e245 + 1u);
                     } else {
-                        phi_367_ = 0u;
+                        phi_449_ = 0u;
                     }
-                    let _e245 = phi_367_;
-                    let _e246 = select(_e237, _e239, _e241);
-                    let _e247 = select(_e232, select(2u, _e232, _e231), _e241);
-                    if (_e122 < -126i) {
-                        phi_379_ = -126i;
+                    let _e251 = phi_449_;
+                    let _e252 = select(_e243, _e245, _e247);
+                    let _e253 = select(_e238, select(2u, _e238, _e237), _e247);
+                    if (_e128 < -126i) {
+                        phi_461_ = -126i;
                     } else {
-                        phi_379_ = select(_e122, 127i, (_e122 > 127i));
+                        phi_461_ = select(_e128, 127i, (_e128 > 127i));
                     }
-                    let _e252 = phi_379_;
-                    let _e257 = bitcast<f32>((bitcast<u32>((_e252 + 127i)) << bitcast<u32>(23i)));
-                    let _e263 = bitcast<f32>((bitcast<u32>(((_e122 - _e252) + 127i)) << bitcast<u32>(23i)));
-                    let _e264 = -(_e227);
-                    if (_e264 < -126i) {
-                        phi_399_ = -126i;
+                    let _e258 = phi_461_;
+                    let _e263 = bitcast<f32>((bitcast<u32>((_e258 + 127i)) << bitcast<u32>(23i)));
+                    let _e269 = bitcast<f32>((bitcast<u32>(((_e128 - _e258) + 127i)) << bitcast<u32>(23i)));
+                    let _e270 = -(_e233);
+                    if (_e270 < -126i) {
+                        phi_481_ = -126i;
                     } else {
-                        phi_399_ = select(_e264, 127i, (_e264 > 127i));
+                        phi_481_ = select(_e270, 127i, (_e270 > 127i));
                     }
-                    let _e269 = phi_399_;
-                    let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
-                    let _e280 = bitcast<f32>((bitcast<u32>(((_e264 - _e269) + 127i)) << bitcast<u32>(23i)));
-                    let _e284 = global_4.member[_e132].member;
-                    let _e285 = (_e246 == 0u);
-                    if _e285 {
-                        phi_417_ = _e284[0];
+                    let _e275 = phi_481_;
+                    let _e280 = bitcast<f32>((bitcast<u32>((_e275 + 127i)) << bitcast<u32>(23i)));
+                    let _e286 = bitcast<f32>((bitcast<u32>(((_e270 - _e275) + 127i)) << bitcast<u32>(23i)));
+                    let _e290 = global_4.member[_e138].member;
+                    let _e291 = (_e252 == 0u);
+                    if _e291 {
+                        phi_499_ = _e290[0];
                     } else {
-                        phi_417_ = _e284[1];
+                        phi_499_ = _e290[1];
                     }
-                    let _e289 = phi_417_;
-                    let _e290 = (_e246 == 2u);
-                    if _e290 {
-                        phi_423_ = _e284[2];
+                    let _e295 = phi_499_;
+                    let _e296 = (_e252 == 2u);
+                    if _e296 {
+                        phi_505_ = _e290[2];
                     } else {
-                        phi_423_ = _e289;
+                        phi_505_ = _e295;
                     }
-                    let _e293 = phi_423_;
-                    let _e295 = ((_e293 * _e257) * _e263);
-                    let _e296 = global_4.member[_e132].member_2;
-                    if _e285 {
-                        phi_434_ = _e296[0];
+                    let _e299 = phi_505_;
+                    let _e300 = bitcast<u32>(_e299);
+                    let _e302 = ((_e300 & 2139095040u) != 0u);
+                    let _e316 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e300 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e300 & 2147483648u))), _e299, _e302) * _e263) * select(0.00000011920929f, 1f, _e302)) * _e269);
+                    let _e317 = global_4.member[_e138].member_2;
+                    if _e291 {
+                        phi_545_ = _e317[0];
                     } else {
-                        phi_434_ = _e296[1];
+                        phi_545_ = _e317[1];
                     }
-                    let _e300 = phi_434_;
-                    if _e290 {
-                        phi_440_ = _e296[2];
+                    let _e321 = phi_545_;
+                    if _e296 {
+                        phi_551_ = _e317[2];
                     } else {
-                        phi_440_ = _e300;
+                        phi_551_ = _e321;
                     }
-                    let _e303 = phi_440_;
-                    let _e305 = ((_e303 * _e274) * _e280);
-                    let _e309 = (bitcast<f32>((bitcast<u32>(_e305) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e309 {
-                        let _e313 = (bitcast<f32>((bitcast<u32>(_e295) & 2147483647u)) * 0.00000011920929f);
-                        phi_463_ = select(0.00000000000011368684f, _e313, (_e313 > 0.00000000000011368684f));
+                    let _e324 = phi_551_;
+                    let _e325 = bitcast<u32>(_e324);
+                    let _e327 = ((_e325 & 2139095040u) != 0u);
+                    let _e341 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e325 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e325 & 2147483648u))), _e324, _e327) * _e280) * select(0.00000011920929f, 1f, _e327)) * _e286);
+                    let _e345 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e345 {
+                        let _e349 = (bitcast<f32>((bitcast<u32>(_e316) & 2147483647u)) * 0.00000011920929f);
+                        phi_603_ = select(0.00000000000011368684f, _e349, (_e349 > 0.00000000000011368684f));
                     } else {
-                        phi_463_ = 0f;
+                        phi_603_ = 0f;
                     }
-                    let _e317 = phi_463_;
-                    let _e318 = (_e295 + _e317);
-                    let _e319 = (_e295 - _e317);
-                    let _e320 = select(_e305, 0f, _e309);
-                    if _e309 {
-                        phi_474_ = 38685626000000000000000000f;
+                    let _e353 = phi_603_;
+                    let _e354 = (_e316 + _e353);
+                    let _e355 = (_e316 - _e353);
+                    let _e356 = select(_e341, 0f, _e345);
+                    if _e345 {
+                        phi_614_ = 38685626000000000000000000f;
                     } else {
-                        phi_474_ = (1f / _e305);
+                        phi_614_ = (1f / _e341);
                     }
-                    let _e323 = phi_474_;
-                    let _e324 = (_e245 == 0u);
-                    if _e324 {
-                        phi_483_ = _e284[0];
+                    let _e359 = phi_614_;
+                    let _e360 = (_e251 == 0u);
+                    if _e360 {
+                        phi_623_ = _e290[0];
                     } else {
-                        phi_483_ = _e284[1];
+                        phi_623_ = _e290[1];
                     }
-                    let _e328 = phi_483_;
-                    let _e329 = (_e245 == 2u);
-                    if _e329 {
-                        phi_489_ = _e284[2];
+                    let _e364 = phi_623_;
+                    let _e365 = (_e251 == 2u);
+                    if _e365 {
+                        phi_629_ = _e290[2];
                     } else {
-                        phi_489_ = _e328;
+                        phi_629_ = _e364;
                     }
-                    let _e332 = phi_489_;
-                    let _e334 = ((_e332 * _e257) * _e263);
-                    if _e324 {
-                        phi_500_ = _e296[0];
+                    let _e368 = phi_629_;
+                    let _e369 = bitcast<u32>(_e368);
+                    let _e371 = ((_e369 & 2139095040u) != 0u);
+                    let _e385 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e369 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e369 & 2147483648u))), _e368, _e371) * _e263) * select(0.00000011920929f, 1f, _e371)) * _e269);
+                    if _e360 {
+                        phi_669_ = _e317[0];
                     } else {
-                        phi_500_ = _e296[1];
+                        phi_669_ = _e317[1];
                     }
-                    let _e338 = phi_500_;
-                    if _e329 {
-                        phi_506_ = _e296[2];
+                    let _e389 = phi_669_;
+                    if _e365 {
+                        phi_675_ = _e317[2];
                     } else {
-                        phi_506_ = _e338;
+                        phi_675_ = _e389;
                     }
-                    let _e341 = phi_506_;
-                    let _e343 = ((_e341 * _e274) * _e280);
-                    let _e347 = (bitcast<f32>((bitcast<u32>(_e343) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e347 {
-                        let _e351 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) * 0.00000011920929f);
-                        phi_529_ = select(0.00000000000011368684f, _e351, (_e351 > 0.00000000000011368684f));
+                    let _e392 = phi_675_;
+                    let _e393 = bitcast<u32>(_e392);
+                    let _e395 = ((_e393 & 2139095040u) != 0u);
+                    let _e409 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e393 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e393 & 2147483648u))), _e392, _e395) * _e280) * select(0.00000011920929f, 1f, _e395)) * _e286);
+                    let _e413 = (bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e413 {
+                        let _e417 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) * 0.00000011920929f);
+                        phi_727_ = select(0.00000000000011368684f, _e417, (_e417 > 0.00000000000011368684f));
                     } else {
-                        phi_529_ = 0f;
+                        phi_727_ = 0f;
                     }
-                    let _e355 = phi_529_;
-                    let _e356 = (_e334 + _e355);
-                    let _e357 = (_e334 - _e355);
-                    let _e358 = select(_e343, 0f, _e347);
-                    if _e347 {
-                        phi_540_ = 38685626000000000000000000f;
+                    let _e421 = phi_727_;
+                    let _e422 = (_e385 + _e421);
+                    let _e423 = (_e385 - _e421);
+                    let _e424 = select(_e409, 0f, _e413);
+                    if _e413 {
+                        phi_738_ = 38685626000000000000000000f;
                     } else {
-                        phi_540_ = (1f / _e343);
+                        phi_738_ = (1f / _e409);
                     }
-                    let _e361 = phi_540_;
-                    let _e362 = (_e247 == 0u);
-                    if _e362 {
-                        phi_549_ = _e284[0];
+                    let _e427 = phi_738_;
+                    let _e428 = (_e253 == 0u);
+                    if _e428 {
+                        phi_747_ = _e290[0];
                     } else {
-                        phi_549_ = _e284[1];
+                        phi_747_ = _e290[1];
                     }
-                    let _e366 = phi_549_;
-                    let _e367 = (_e247 == 2u);
-                    if _e367 {
-                        phi_555_ = _e284[2];
+                    let _e432 = phi_747_;
+                    let _e433 = (_e253 == 2u);
+                    if _e433 {
+                        phi_753_ = _e290[2];
                     } else {
-                        phi_555_ = _e366;
+                        phi_753_ = _e432;
                     }
-                    let _e370 = phi_555_;
-                    let _e372 = ((_e370 * _e257) * _e263);
-                    if _e362 {
-                        phi_566_ = _e296[0];
+                    let _e436 = phi_753_;
+                    let _e437 = bitcast<u32>(_e436);
+                    let _e439 = ((_e437 & 2139095040u) != 0u);
+                    let _e453 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e437 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e437 & 2147483648u))), _e436, _e439) * _e263) * select(0.00000011920929f, 1f, _e439)) * _e269);
+                    if _e428 {
+                        phi_793_ = _e317[0];
                     } else {
-                        phi_566_ = _e296[1];
+                        phi_793_ = _e317[1];
                     }
-                    let _e376 = phi_566_;
-                    if _e367 {
-                        phi_572_ = _e296[2];
+                    let _e457 = phi_793_;
+                    if _e433 {
+                        phi_799_ = _e317[2];
                     } else {
-                        phi_572_ = _e376;
+                        phi_799_ = _e457;
                     }
-                    let _e379 = phi_572_;
-                    let _e381 = ((_e379 * _e274) * _e280);
-                    let _e385 = (bitcast<f32>((bitcast<u32>(_e381) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e385 {
-                        let _e389 = (bitcast<f32>((bitcast<u32>(_e372) & 2147483647u)) * 0.00000011920929f);
-                        phi_595_ = select(0.00000000000011368684f, _e389, (_e389 > 0.00000000000011368684f));
+                    let _e460 = phi_799_;
+                    let _e461 = bitcast<u32>(_e460);
+                    let _e463 = ((_e461 & 2139095040u) != 0u);
+                    let _e477 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e461 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e461 & 2147483648u))), _e460, _e463) * _e280) * select(0.00000011920929f, 1f, _e463)) * _e286);
+                    let _e481 = (bitcast<f32>((bitcast<u32>(_e477) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e481 {
+                        let _e485 = (bitcast<f32>((bitcast<u32>(_e453) & 2147483647u)) * 0.00000011920929f);
+                        phi_851_ = select(0.00000000000011368684f, _e485, (_e485 > 0.00000000000011368684f));
                     } else {
-                        phi_595_ = 0f;
+                        phi_851_ = 0f;
                     }
-                    let _e393 = phi_595_;
-                    let _e394 = (_e372 + _e393);
-                    let _e395 = (_e372 - _e393);
-                    let _e396 = select(_e381, 0f, _e385);
-                    if _e385 {
-                        phi_606_ = 38685626000000000000000000f;
+                    let _e489 = phi_851_;
+                    let _e490 = (_e453 + _e489);
+                    let _e491 = (_e453 - _e489);
+                    let _e492 = select(_e477, 0f, _e481);
+                    if _e481 {
+                        phi_862_ = 38685626000000000000000000f;
                     } else {
-                        phi_606_ = (1f / _e381);
+                        phi_862_ = (1f / _e477);
                     }
-                    let _e399 = phi_606_;
-                    let _e402 = bitcast<f32>((bitcast<u32>(_e295) & 2147483647u));
-                    let _e405 = bitcast<f32>((bitcast<u32>(_e334) & 2147483647u));
-                    let _e407 = select(_e405, _e402, (_e402 > _e405));
-                    let _e410 = bitcast<f32>((bitcast<u32>(_e372) & 2147483647u));
-                    let _e413 = (_e122 + _e227);
-                    if (_e208 && (select(_e410, _e407, (_e407 > _e410)) <= 1099511600000f)) {
-                        let _e416 = (_e413 / 3i);
-                        let _e423 = bitcast<f32>((bitcast<u32>((_e416 + 127i)) << bitcast<u32>(23i)));
-                        let _e430 = bitcast<f32>((bitcast<u32>(((_e413 - (2i * _e416)) + 127i)) << bitcast<u32>(23i)));
-                        let _e431 = (((_e193 * _e423) * _e423) * _e430);
-                        let _e433 = select(340282350000000000000000000000000000000f, _e431, (_e431 < 340282350000000000000000000000000000000f));
-                        let _e438 = (((_e202 * _e423) * _e423) * _e430);
-                        let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
-                        phi_706_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
-                        phi_707_ = select(-340282350000000000000000000000000000000f, _e433, (_e433 > -340282350000000000000000000000000000000f));
+                    let _e495 = phi_862_;
+                    let _e498 = bitcast<f32>((bitcast<u32>(_e316) & 2147483647u));
+                    let _e501 = bitcast<f32>((bitcast<u32>(_e385) & 2147483647u));
+                    let _e503 = select(_e501, _e498, (_e498 > _e501));
+                    let _e506 = bitcast<f32>((bitcast<u32>(_e453) & 2147483647u));
+                    let _e509 = (_e128 + _e233);
+                    if (_e214 && (select(_e506, _e503, (_e503 > _e506)) <= 1099511600000f)) {
+                        let _e519 = ((_e201 & 8388607u) | (select(0u, 1u, ((_e201 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e522 = bitcast<i32>((_e201 >> bitcast<u32>(23i)));
+                        let _e526 = (_e519 == 0u);
+                        let _e529 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e519)), 32u, _e526)) - 8i);
+                        if (_e522 == 255i) {
+                            phi_917_ = 255i;
+                        } else {
+                            phi_917_ = (((_e522 + select(0i, 1i, (_e522 == 0i))) - _e529) + _e509);
+                        }
+                        let _e537 = phi_917_;
+                        let _e547 = (_e537 <= 0i);
+                        if _e547 {
+                            phi_940_ = u32();
+                        } else {
+                            if _e526 {
+                                phi_939_ = u32();
+                            } else {
+                                phi_939_ = select(((bitcast<u32>(_e537) << bitcast<u32>(23i)) | ((_e519 << bitcast<u32>(((_e529 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e537 >= 255i));
+                            }
+                            let _e551 = phi_939_;
+                            phi_940_ = _e551;
+                        }
+                        let _e553 = phi_940_;
+                        let _e565 = ((_e210 & 8388607u) | (select(0u, 1u, ((_e210 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e568 = bitcast<i32>((_e210 >> bitcast<u32>(23i)));
+                        let _e572 = (_e565 == 0u);
+                        let _e575 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e565)), 32u, _e572)) - 8i);
+                        if (_e568 == 255i) {
+                            phi_977_ = 255i;
+                        } else {
+                            phi_977_ = (((_e568 + select(0i, 1i, (_e568 == 0i))) - _e575) + _e509);
+                        }
+                        let _e583 = phi_977_;
+                        let _e593 = (_e583 <= 0i);
+                        if _e593 {
+                            phi_1000_ = u32();
+                        } else {
+                            if _e572 {
+                                phi_999_ = u32();
+                            } else {
+                                phi_999_ = select(((bitcast<u32>(_e583) << bitcast<u32>(23i)) | ((_e565 << bitcast<u32>(((_e575 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e583 >= 255i));
+                            }
+                            let _e597 = phi_999_;
+                            phi_1000_ = _e597;
+                        }
+                        let _e599 = phi_1000_;
+                        phi_1008_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e599, 0u, select(_e572, true, _e593))));
+                        phi_1009_ = bitcast<f32>(((_e200 & 2147483648u) | select(_e553, 0u, select(_e526, true, _e547))));
                     } else {
-                        phi_706_ = 0f;
-                        phi_707_ = 1f;
+                        phi_1008_ = 0f;
+                        phi_1009_ = 1f;
                     }
-                    let _e444 = phi_706_;
-                    let _e446 = phi_707_;
+                    let _e605 = phi_1008_;
+                    let _e607 = phi_1009_;
                     local_7 = array<type_22, 8>(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -500,996 +577,1095 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_8 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_10 = array<f32, 3>(bitcast<f32>(_e94), bitcast<f32>(_e98), bitcast<f32>(_e102));
-                    let _e450 = (_e246 % 3u);
-                    let _e451 = (_e450 < 3u);
-                    if _e451 {
+                    local_10 = array<f32, 3>(bitcast<f32>(_e100), bitcast<f32>(_e104), bitcast<f32>(_e108));
+                    let _e611 = (_e252 % 3u);
+                    let _e612 = (_e611 < 3u);
+                    if _e612 {
                     } else {
                         break;
                     }
-                    let _e453 = local_10[_e450];
-                    let _e454 = (_e245 % 3u);
-                    let _e455 = (_e454 < 3u);
-                    if _e455 {
+                    let _e614 = local_10[_e611];
+                    let _e615 = (_e251 % 3u);
+                    let _e616 = (_e615 < 3u);
+                    if _e616 {
                     } else {
                         break;
                     }
-                    let _e457 = local_10[_e454];
-                    let _e458 = (_e247 % 3u);
-                    let _e459 = (_e458 < 3u);
-                    if _e459 {
+                    let _e618 = local_10[_e615];
+                    let _e619 = (_e253 % 3u);
+                    let _e620 = (_e619 < 3u);
+                    if _e620 {
                     } else {
                         break;
                     }
-                    let _e461 = local_10[_e458];
-                    local_9 = array<f32, 3>(bitcast<f32>(_e106), bitcast<f32>(_e110), bitcast<f32>(_e114));
-                    if _e451 {
+                    let _e622 = local_10[_e619];
+                    local_9 = array<f32, 3>(bitcast<f32>(_e112), bitcast<f32>(_e116), bitcast<f32>(_e120));
+                    if _e612 {
                     } else {
                         break;
                     }
-                    let _e465 = local_9[_e450];
-                    if _e455 {
+                    let _e626 = local_9[_e611];
+                    if _e616 {
                     } else {
                         break;
                     }
-                    let _e467 = local_9[_e454];
-                    if _e459 {
+                    let _e628 = local_9[_e615];
+                    if _e620 {
                     } else {
                         break;
                     }
-                    let _e469 = local_9[_e458];
-                    phi_3261_ = false;
-                    phi_3217_ = _e444;
-                    phi_833_ = type_51(type_49(array<f32, 3>(_e453, _e457, _e461), array<f32, 3>(_e465, _e467, _e469)), select(0u, 2147483648u, (_e84 == 0u)));
-                    phi_836_ = ((3u * _e84) + 1u);
-                    phi_838_ = (_e446 <= _e444);
-                    phi_840_ = 0u;
+                    let _e630 = local_9[_e619];
+                    phi_3685_ = false;
+                    phi_3641_ = _e605;
+                    phi_1135_ = type_51(type_49(array<f32, 3>(_e614, _e618, _e622), array<f32, 3>(_e626, _e628, _e630)), select(0u, 2147483648u, (_e90 == 0u)));
+                    phi_1138_ = ((3u * _e90) + 1u);
+                    phi_1140_ = (_e607 <= _e605);
+                    phi_1142_ = 0u;
                     loop {
-                        let _e477 = phi_3261_;
-                        let _e479 = phi_3217_;
-                        let _e481 = phi_833_;
-                        let _e483 = phi_836_;
-                        let _e485 = phi_838_;
-                        let _e487 = phi_840_;
-                        if _e485 {
-                            phi_851_ = true;
+                        let _e638 = phi_3685_;
+                        let _e640 = phi_3641_;
+                        let _e642 = phi_1135_;
+                        let _e644 = phi_1138_;
+                        let _e646 = phi_1140_;
+                        let _e648 = phi_1142_;
+                        if _e646 {
+                            phi_1153_ = true;
                         } else {
-                            phi_851_ = (_e487 > 0u);
+                            phi_1153_ = (_e648 > 0u);
                         }
-                        let _e490 = phi_851_;
-                        if _e490 {
-                            let _e491 = (_e483 > 0u);
-                            if _e491 {
-                                if _e485 {
-                                    phi_938_ = _e481;
-                                    phi_939_ = _e485;
-                                    phi_940_ = _e487;
+                        let _e651 = phi_1153_;
+                        if _e651 {
+                            let _e652 = (_e644 > 0u);
+                            if _e652 {
+                                if _e646 {
+                                    phi_1240_ = _e642;
+                                    phi_1241_ = _e646;
+                                    phi_1242_ = _e648;
                                 } else {
-                                    let _e492 = (_e487 - 1u);
-                                    let _e493 = (_e492 % 128u);
-                                    let _e494 = (_e493 < 128u);
-                                    if _e494 {
+                                    let _e653 = (_e648 - 1u);
+                                    let _e654 = (_e653 % 128u);
+                                    let _e655 = (_e654 < 128u);
+                                    if _e655 {
                                     } else {
-                                        phi_3396_ = true;
+                                        phi_3838_ = true;
                                         break;
                                     }
-                                    let _e496 = local_6[_e493];
-                                    if _e494 {
+                                    let _e657 = local_6[_e654];
+                                    if _e655 {
                                     } else {
-                                        phi_3396_ = true;
+                                        phi_3838_ = true;
                                         break;
                                     }
-                                    let _e498 = local_5[_e493];
-                                    if _e494 {
+                                    let _e659 = local_5[_e654];
+                                    if _e655 {
                                     } else {
-                                        phi_3396_ = true;
+                                        phi_3838_ = true;
                                         break;
                                     }
-                                    let _e500 = local_4[_e493];
-                                    if _e494 {
+                                    let _e661 = local_4[_e654];
+                                    if _e655 {
                                     } else {
-                                        phi_3396_ = true;
+                                        phi_3838_ = true;
                                         break;
                                     }
-                                    let _e502 = local_3[_e493];
-                                    if _e494 {
+                                    let _e663 = local_3[_e654];
+                                    if _e655 {
                                     } else {
-                                        phi_3396_ = true;
+                                        phi_3838_ = true;
                                         break;
                                     }
-                                    let _e505 = local_2[_e493];
-                                    if _e494 {
+                                    let _e666 = local_2[_e654];
+                                    if _e655 {
                                     } else {
-                                        phi_3396_ = true;
+                                        phi_3838_ = true;
                                         break;
                                     }
-                                    let _e507 = local_1[_e493];
-                                    if _e494 {
+                                    let _e668 = local_1[_e654];
+                                    if _e655 {
                                     } else {
-                                        phi_3396_ = true;
+                                        phi_3838_ = true;
                                         break;
                                     }
-                                    let _e509 = local[_e493];
-                                    if _e494 {
+                                    let _e670 = local[_e654];
+                                    if _e655 {
                                     } else {
-                                        phi_3396_ = true;
+                                        phi_3838_ = true;
                                         break;
                                     }
-                                    let _e514 = local_8[_e493];
-                                    phi_938_ = type_51(type_49(array<f32, 3>(_e498, _e500, _e502), array<f32, 3>(_e505, _e507, _e509)), _e496);
-                                    phi_939_ = (_e514 <= _e479);
-                                    phi_940_ = _e492;
+                                    let _e675 = local_8[_e654];
+                                    phi_1240_ = type_51(type_49(array<f32, 3>(_e659, _e661, _e663), array<f32, 3>(_e666, _e668, _e670)), _e657);
+                                    phi_1241_ = (_e675 <= _e640);
+                                    phi_1242_ = _e653;
                                 }
-                                let _e517 = phi_938_;
-                                let _e519 = phi_939_;
-                                let _e521 = phi_940_;
-                                if _e519 {
-                                    if ((_e517.member_1 & 2147483648u) != 0u) {
-                                        phi_3258_ = _e477;
-                                        phi_3248_ = _e479;
-                                        phi_958_ = type_4(0u, ((_e517.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e678 = phi_1240_;
+                                let _e680 = phi_1241_;
+                                let _e682 = phi_1242_;
+                                if _e680 {
+                                    if ((_e678.member_1 & 2147483648u) != 0u) {
+                                        phi_3682_ = _e638;
+                                        phi_3672_ = _e640;
+                                        phi_1260_ = type_4(0u, ((_e678.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e872 = phi_3258_;
-                                            let _e874 = phi_3248_;
-                                            let _e876 = phi_958_;
-                                            if (_e876.member < _e876.member_1) {
-                                                phi_959_ = type_4((_e876.member + 1u), _e876.member_1);
-                                                phi_982_ = type_4(1u, _e876.member);
+                                            let _e1057 = phi_3682_;
+                                            let _e1059 = phi_3672_;
+                                            let _e1061 = phi_1260_;
+                                            if (_e1061.member < _e1061.member_1) {
+                                                phi_1261_ = type_4((_e1061.member + 1u), _e1061.member_1);
+                                                phi_1284_ = type_4(1u, _e1061.member);
                                             } else {
-                                                phi_959_ = _e876;
-                                                phi_982_ = type_4(0u, type_4().member_1);
+                                                phi_1261_ = _e1061;
+                                                phi_1284_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e889 = phi_959_;
-                                            let _e891 = phi_982_;
-                                            let _e895 = (bitcast<i32>(_e891.member) != 0i);
-                                            if _e895 {
-                                                let _e896 = ((_e517.member_1 & 268435455u) + _e891.member_1);
-                                                let _e897 = (_e896 < _e86);
-                                                if _e897 {
-                                                    if _e897 {
+                                            let _e1074 = phi_1261_;
+                                            let _e1076 = phi_1284_;
+                                            let _e1080 = (bitcast<i32>(_e1076.member) != 0i);
+                                            if _e1080 {
+                                                let _e1081 = ((_e678.member_1 & 268435455u) + _e1076.member_1);
+                                                let _e1082 = (_e1081 < _e92);
+                                                if _e1082 {
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = true;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = true;
                                                         break;
                                                     }
-                                                    let _e901 = global_2.member[_e896].member_1;
-                                                    phi_1003_ = _e901;
+                                                    let _e1086 = global_2.member[_e1081].member_1;
+                                                    phi_1305_ = _e1086;
                                                 } else {
-                                                    phi_1003_ = 4294967295u;
+                                                    phi_1305_ = 4294967295u;
                                                 }
-                                                let _e903 = phi_1003_;
-                                                if (_e896 >= _e86) {
-                                                    phi_1092_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1088 = phi_1305_;
+                                                if (_e1081 >= _e92) {
+                                                    phi_1394_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e897 {
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = true;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = true;
                                                         break;
                                                     }
-                                                    if (_e450 < 9u) {
+                                                    if (_e611 < 9u) {
                                                     } else {
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = true;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = true;
                                                         break;
                                                     }
-                                                    let _e910 = global_2.member[_e896].member[_e450];
-                                                    if (_e454 < 9u) {
+                                                    let _e1095 = global_2.member[_e1081].member[_e611];
+                                                    if (_e615 < 9u) {
                                                     } else {
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = true;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = true;
                                                         break;
                                                     }
-                                                    let _e916 = global_2.member[_e896].member[_e454];
-                                                    if (_e458 < 9u) {
+                                                    let _e1101 = global_2.member[_e1081].member[_e615];
+                                                    if (_e619 < 9u) {
                                                     } else {
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = true;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = true;
                                                         break;
                                                     }
-                                                    let _e922 = global_2.member[_e896].member[_e458];
-                                                    let _e924 = (3u + _e450);
-                                                    if (_e924 < 9u) {
+                                                    let _e1107 = global_2.member[_e1081].member[_e619];
+                                                    let _e1109 = (3u + _e611);
+                                                    if (_e1109 < 9u) {
                                                     } else {
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = true;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = true;
                                                         break;
                                                     }
-                                                    let _e930 = global_2.member[_e896].member[_e924];
-                                                    let _e931 = (3u + _e454);
-                                                    if (_e931 < 9u) {
+                                                    let _e1115 = global_2.member[_e1081].member[_e1109];
+                                                    let _e1116 = (3u + _e615);
+                                                    if (_e1116 < 9u) {
                                                     } else {
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = true;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = true;
                                                         break;
                                                     }
-                                                    let _e937 = global_2.member[_e896].member[_e931];
-                                                    let _e938 = (3u + _e458);
-                                                    if (_e938 < 9u) {
+                                                    let _e1122 = global_2.member[_e1081].member[_e1116];
+                                                    let _e1123 = (3u + _e619);
+                                                    if (_e1123 < 9u) {
                                                     } else {
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = true;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = true;
                                                         break;
                                                     }
-                                                    let _e944 = global_2.member[_e896].member[_e938];
-                                                    let _e946 = (6u + _e450);
-                                                    if (_e946 < 9u) {
+                                                    let _e1129 = global_2.member[_e1081].member[_e1123];
+                                                    let _e1131 = (6u + _e611);
+                                                    if (_e1131 < 9u) {
                                                     } else {
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = true;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = true;
                                                         break;
                                                     }
-                                                    let _e952 = global_2.member[_e896].member[_e946];
-                                                    let _e953 = (6u + _e454);
-                                                    if (_e953 < 9u) {
+                                                    let _e1137 = global_2.member[_e1081].member[_e1131];
+                                                    let _e1138 = (6u + _e615);
+                                                    if (_e1138 < 9u) {
                                                     } else {
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = true;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = true;
                                                         break;
                                                     }
-                                                    let _e959 = global_2.member[_e896].member[_e953];
-                                                    let _e960 = (6u + _e458);
-                                                    if (_e960 < 9u) {
+                                                    let _e1144 = global_2.member[_e1081].member[_e1138];
+                                                    let _e1145 = (6u + _e619);
+                                                    if (_e1145 < 9u) {
                                                     } else {
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = true;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = true;
                                                         break;
                                                     }
-                                                    let _e966 = global_2.member[_e896].member[_e960];
-                                                    phi_1092_ = array<array<f32, 3>, 3>(array<f32, 3>(_e910, _e916, _e922), array<f32, 3>(_e930, _e937, _e944), array<f32, 3>(_e952, _e959, _e966));
+                                                    let _e1151 = global_2.member[_e1081].member[_e1145];
+                                                    phi_1394_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1095, _e1101, _e1107), array<f32, 3>(_e1115, _e1122, _e1129), array<f32, 3>(_e1137, _e1144, _e1151));
                                                 }
-                                                let _e970 = phi_1092_;
-                                                let _e977 = (_e970[0][2] - _e372);
-                                                let _e980 = (((_e970[0][0] - _e295) * _e396) - (_e977 * _e320));
-                                                let _e983 = (((_e970[0][1] - _e334) * _e396) - (_e977 * _e358));
-                                                let _e990 = (_e970[1][2] - _e372);
-                                                let _e993 = (((_e970[1][0] - _e295) * _e396) - (_e990 * _e320));
-                                                let _e996 = (((_e970[1][1] - _e334) * _e396) - (_e990 * _e358));
-                                                let _e1003 = (_e970[2][2] - _e372);
-                                                let _e1006 = (((_e970[2][0] - _e295) * _e396) - (_e1003 * _e320));
-                                                let _e1009 = (((_e970[2][1] - _e334) * _e396) - (_e1003 * _e358));
-                                                let _e1010 = (_e1006 * _e996);
-                                                let _e1011 = (_e1009 * _e993);
-                                                let _e1012 = (_e980 * _e1009);
-                                                let _e1013 = (_e983 * _e1006);
-                                                let _e1014 = (_e993 * _e983);
-                                                let _e1015 = (_e996 * _e980);
-                                                let _e1020 = (((_e1010 >= _e1011) && (_e1012 >= _e1013)) && (_e1014 >= _e1015));
-                                                if (_e1020 || (((_e1010 <= _e1011) && (_e1012 <= _e1013)) && (_e1014 <= _e1015))) {
-                                                    let _e1027 = select(-1f, 1f, _e1020);
-                                                    let _e1029 = ((_e1010 - _e1011) * _e1027);
-                                                    let _e1031 = select(0f, _e1029, (_e1029 > 0f));
-                                                    let _e1033 = ((_e1012 - _e1013) * _e1027);
-                                                    let _e1035 = select(0f, _e1033, (_e1033 > 0f));
-                                                    let _e1037 = ((_e1014 - _e1015) * _e1027);
-                                                    let _e1039 = select(0f, _e1037, (_e1037 > 0f));
-                                                    let _e1041 = ((_e1031 + _e1035) + _e1039);
-                                                    if (_e1041 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1918_ = type_22();
-                                                        phi_1919_ = true;
-                                                        phi_1920_ = false;
+                                                let _e1155 = phi_1394_;
+                                                let _e1162 = (_e1155[0][2] - _e453);
+                                                let _e1165 = (((_e1155[0][0] - _e316) * _e492) - (_e1162 * _e356));
+                                                let _e1168 = (((_e1155[0][1] - _e385) * _e492) - (_e1162 * _e424));
+                                                let _e1175 = (_e1155[1][2] - _e453);
+                                                let _e1178 = (((_e1155[1][0] - _e316) * _e492) - (_e1175 * _e356));
+                                                let _e1181 = (((_e1155[1][1] - _e385) * _e492) - (_e1175 * _e424));
+                                                let _e1188 = (_e1155[2][2] - _e453);
+                                                let _e1191 = (((_e1155[2][0] - _e316) * _e492) - (_e1188 * _e356));
+                                                let _e1194 = (((_e1155[2][1] - _e385) * _e492) - (_e1188 * _e424));
+                                                let _e1195 = (_e1191 * _e1181);
+                                                let _e1196 = (_e1194 * _e1178);
+                                                let _e1197 = (_e1165 * _e1194);
+                                                let _e1198 = (_e1168 * _e1191);
+                                                let _e1199 = (_e1178 * _e1168);
+                                                let _e1200 = (_e1181 * _e1165);
+                                                let _e1205 = (((_e1195 >= _e1196) && (_e1197 >= _e1198)) && (_e1199 >= _e1200));
+                                                if (_e1205 || (((_e1195 <= _e1196) && (_e1197 <= _e1198)) && (_e1199 <= _e1200))) {
+                                                    let _e1212 = select(-1f, 1f, _e1205);
+                                                    let _e1214 = ((_e1195 - _e1196) * _e1212);
+                                                    let _e1216 = select(0f, _e1214, (_e1214 > 0f));
+                                                    let _e1218 = ((_e1197 - _e1198) * _e1212);
+                                                    let _e1220 = select(0f, _e1218, (_e1218 > 0f));
+                                                    let _e1222 = ((_e1199 - _e1200) * _e1212);
+                                                    let _e1224 = select(0f, _e1222, (_e1222 > 0f));
+                                                    let _e1226 = ((_e1216 + _e1220) + _e1224);
+                                                    if (_e1226 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2220_ = type_22();
+                                                        phi_2221_ = true;
+                                                        phi_2222_ = false;
                                                     } else {
-                                                        let _e1044 = select(_e993, _e980, (_e980 < _e993));
-                                                        if (select(_e1006, _e1044, (_e1044 < _e1006)) > 0f) {
-                                                            phi_1210_ = true;
+                                                        let _e1229 = select(_e1178, _e1165, (_e1165 < _e1178));
+                                                        if (select(_e1191, _e1229, (_e1229 < _e1191)) > 0f) {
+                                                            phi_1512_ = true;
                                                         } else {
-                                                            let _e1049 = select(_e993, _e980, (_e980 > _e993));
-                                                            phi_1210_ = (select(_e1006, _e1049, (_e1049 > _e1006)) < 0f);
+                                                            let _e1234 = select(_e1178, _e1165, (_e1165 > _e1178));
+                                                            phi_1512_ = (select(_e1191, _e1234, (_e1234 > _e1191)) < 0f);
                                                         }
-                                                        let _e1054 = phi_1210_;
-                                                        if _e1054 {
-                                                            phi_1915_ = type_22();
-                                                            phi_1916_ = true;
-                                                            phi_1917_ = false;
+                                                        let _e1239 = phi_1512_;
+                                                        if _e1239 {
+                                                            phi_2217_ = type_22();
+                                                            phi_2218_ = true;
+                                                            phi_2219_ = false;
                                                         } else {
-                                                            let _e1056 = select(_e996, _e983, (_e983 < _e996));
-                                                            if (select(_e1009, _e1056, (_e1056 < _e1009)) > 0f) {
-                                                                phi_1239_ = true;
+                                                            let _e1241 = select(_e1181, _e1168, (_e1168 < _e1181));
+                                                            if (select(_e1194, _e1241, (_e1241 < _e1194)) > 0f) {
+                                                                phi_1541_ = true;
                                                             } else {
-                                                                let _e1061 = select(_e996, _e983, (_e983 > _e996));
-                                                                phi_1239_ = (select(_e1009, _e1061, (_e1061 > _e1009)) < 0f);
+                                                                let _e1246 = select(_e1181, _e1168, (_e1168 > _e1181));
+                                                                phi_1541_ = (select(_e1194, _e1246, (_e1246 > _e1194)) < 0f);
                                                             }
-                                                            let _e1066 = phi_1239_;
-                                                            if _e1066 {
-                                                                phi_1913_ = type_22();
-                                                                phi_1914_ = false;
+                                                            let _e1251 = phi_1541_;
+                                                            if _e1251 {
+                                                                phi_2215_ = type_22();
+                                                                phi_2216_ = false;
                                                             } else {
-                                                                let _e1068 = select(_e970[1][0], _e970[0][0], (_e970[0][0] < _e970[1][0]));
-                                                                let _e1072 = select(_e970[1][0], _e970[0][0], (_e970[0][0] > _e970[1][0]));
-                                                                let _e1076 = select(_e970[1][1], _e970[0][1], (_e970[0][1] < _e970[1][1]));
-                                                                let _e1080 = select(_e970[1][1], _e970[0][1], (_e970[0][1] > _e970[1][1]));
-                                                                let _e1084 = select(_e970[1][2], _e970[0][2], (_e970[0][2] < _e970[1][2]));
-                                                                let _e1088 = select(_e970[1][2], _e970[0][2], (_e970[0][2] > _e970[1][2]));
-                                                                let _e1093 = ((select(_e970[2][0], _e1068, (_e1068 < _e970[2][0])) - _e318) * _e323);
-                                                                let _e1094 = ((select(_e970[2][0], _e1072, (_e1072 > _e970[2][0])) - _e319) * _e323);
-                                                                let _e1097 = ((select(_e970[2][1], _e1076, (_e1076 < _e970[2][1])) - _e356) * _e361);
-                                                                let _e1098 = ((select(_e970[2][1], _e1080, (_e1080 > _e970[2][1])) - _e357) * _e361);
-                                                                let _e1101 = ((select(_e970[2][2], _e1084, (_e1084 < _e970[2][2])) - _e394) * _e399);
-                                                                let _e1102 = ((select(_e970[2][2], _e1088, (_e1088 > _e970[2][2])) - _e395) * _e399);
-                                                                let _e1104 = select(_e1102, _e1101, (_e1101 < _e1102));
-                                                                let _e1106 = select(_e1102, _e1101, (_e1101 > _e1102));
-                                                                let _e1108 = select(_e1094, _e1093, (_e1093 < _e1094));
-                                                                let _e1110 = select(_e1098, _e1097, (_e1097 < _e1098));
-                                                                let _e1112 = select(_e1110, _e1108, (_e1108 > _e1110));
-                                                                let _e1114 = select(_e1104, _e1112, (_e1112 > _e1104));
-                                                                let _e1116 = select(_e1094, _e1093, (_e1093 > _e1094));
-                                                                let _e1118 = select(_e1098, _e1097, (_e1097 > _e1098));
-                                                                let _e1120 = select(_e1118, _e1116, (_e1116 < _e1118));
-                                                                let _e1122 = select(_e1106, _e1120, (_e1120 < _e1106));
-                                                                let _e1123 = -(_e1104);
-                                                                let _e1129 = select(_e446, _e1114, (_e1114 > _e446));
-                                                                if (_e1129 > (_e1122 + (select(_e1123, _e1106, (_e1106 > _e1123)) * 0.0000019073523f))) {
-                                                                    phi_1908_ = type_22();
-                                                                    phi_1909_ = true;
+                                                                let _e1253 = select(_e1155[1][0], _e1155[0][0], (_e1155[0][0] < _e1155[1][0]));
+                                                                let _e1257 = select(_e1155[1][0], _e1155[0][0], (_e1155[0][0] > _e1155[1][0]));
+                                                                let _e1261 = select(_e1155[1][1], _e1155[0][1], (_e1155[0][1] < _e1155[1][1]));
+                                                                let _e1265 = select(_e1155[1][1], _e1155[0][1], (_e1155[0][1] > _e1155[1][1]));
+                                                                let _e1269 = select(_e1155[1][2], _e1155[0][2], (_e1155[0][2] < _e1155[1][2]));
+                                                                let _e1273 = select(_e1155[1][2], _e1155[0][2], (_e1155[0][2] > _e1155[1][2]));
+                                                                let _e1278 = ((select(_e1155[2][0], _e1253, (_e1253 < _e1155[2][0])) - _e354) * _e359);
+                                                                let _e1279 = ((select(_e1155[2][0], _e1257, (_e1257 > _e1155[2][0])) - _e355) * _e359);
+                                                                let _e1282 = ((select(_e1155[2][1], _e1261, (_e1261 < _e1155[2][1])) - _e422) * _e427);
+                                                                let _e1283 = ((select(_e1155[2][1], _e1265, (_e1265 > _e1155[2][1])) - _e423) * _e427);
+                                                                let _e1286 = ((select(_e1155[2][2], _e1269, (_e1269 < _e1155[2][2])) - _e490) * _e495);
+                                                                let _e1287 = ((select(_e1155[2][2], _e1273, (_e1273 > _e1155[2][2])) - _e491) * _e495);
+                                                                let _e1289 = select(_e1287, _e1286, (_e1286 < _e1287));
+                                                                let _e1291 = select(_e1287, _e1286, (_e1286 > _e1287));
+                                                                let _e1293 = select(_e1279, _e1278, (_e1278 < _e1279));
+                                                                let _e1295 = select(_e1283, _e1282, (_e1282 < _e1283));
+                                                                let _e1297 = select(_e1295, _e1293, (_e1293 > _e1295));
+                                                                let _e1299 = select(_e1289, _e1297, (_e1297 > _e1289));
+                                                                let _e1301 = select(_e1279, _e1278, (_e1278 > _e1279));
+                                                                let _e1303 = select(_e1283, _e1282, (_e1282 > _e1283));
+                                                                let _e1305 = select(_e1303, _e1301, (_e1301 < _e1303));
+                                                                let _e1307 = select(_e1291, _e1305, (_e1305 < _e1291));
+                                                                let _e1308 = -(_e1289);
+                                                                let _e1314 = select(_e607, _e1299, (_e1299 > _e607));
+                                                                if (_e1314 > (_e1307 + (select(_e1308, _e1291, (_e1291 > _e1308)) * 0.0000019073523f))) {
+                                                                    phi_2210_ = type_22();
+                                                                    phi_2211_ = true;
                                                                 } else {
-                                                                    let _e1131 = (_e1129 > _e874);
-                                                                    if _e1131 {
-                                                                        phi_1907_ = type_22();
+                                                                    let _e1316 = (_e1314 > _e1059);
+                                                                    if _e1316 {
+                                                                        phi_2209_ = type_22();
                                                                     } else {
-                                                                        let _e1132 = vec3<f32>(_e970[0][0], _e970[0][1], _e970[0][2]);
-                                                                        let _e1133 = vec3<f32>(_e970[1][0], _e970[1][1], _e970[1][2]);
-                                                                        let _e1134 = vec3<f32>(_e970[2][0], _e970[2][1], _e970[2][2]);
-                                                                        let _e1135 = (_e970[1][0] - _e970[0][0]);
-                                                                        let _e1136 = (_e970[1][1] - _e970[0][1]);
-                                                                        let _e1137 = (_e970[1][2] - _e970[0][2]);
-                                                                        let _e1138 = vec3<f32>(_e1135, _e1136, _e1137);
-                                                                        let _e1139 = (_e970[2][0] - _e970[1][0]);
-                                                                        let _e1140 = (_e970[2][1] - _e970[1][1]);
-                                                                        let _e1141 = (_e970[2][2] - _e970[1][2]);
-                                                                        let _e1142 = vec3<f32>(_e1139, _e1140, _e1141);
-                                                                        let _e1143 = (_e970[0][0] - _e970[2][0]);
-                                                                        let _e1144 = (_e970[0][1] - _e970[2][1]);
-                                                                        let _e1145 = (_e970[0][2] - _e970[2][2]);
-                                                                        let _e1146 = vec3<f32>(_e1143, _e1144, _e1145);
-                                                                        let _e1149 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
-                                                                        let _e1152 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
-                                                                        let _e1154 = select(_e1152, _e1149, (_e1149 > _e1152));
-                                                                        let _e1157 = bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u));
-                                                                        let _e1159 = select(_e1157, _e1154, (_e1154 > _e1157));
-                                                                        let _e1162 = bitcast<f32>((bitcast<u32>(_e1139) & 2147483647u));
-                                                                        let _e1165 = bitcast<f32>((bitcast<u32>(_e1140) & 2147483647u));
-                                                                        let _e1167 = select(_e1165, _e1162, (_e1162 > _e1165));
-                                                                        let _e1170 = bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u));
-                                                                        let _e1172 = select(_e1170, _e1167, (_e1167 > _e1170));
-                                                                        let _e1175 = bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u));
-                                                                        let _e1178 = bitcast<f32>((bitcast<u32>(_e1144) & 2147483647u));
-                                                                        let _e1180 = select(_e1178, _e1175, (_e1175 > _e1178));
-                                                                        let _e1183 = bitcast<f32>((bitcast<u32>(_e1145) & 2147483647u));
-                                                                        let _e1185 = select(_e1183, _e1180, (_e1180 > _e1183));
-                                                                        let _e1187 = select(_e1172, _e1159, (_e1159 > _e1172));
-                                                                        let _e1189 = select(_e1185, _e1187, (_e1187 > _e1185));
-                                                                        if (_e1159 == _e1189) {
-                                                                            phi_1640_ = _e996;
-                                                                            phi_1641_ = _e993;
-                                                                            phi_1642_ = _e983;
-                                                                            phi_1643_ = _e980;
-                                                                            phi_1644_ = _e1132;
-                                                                            phi_1645_ = _e1146;
-                                                                            phi_1646_ = _e1142;
-                                                                            phi_1647_ = _e1138;
+                                                                        let _e1317 = vec3<f32>(_e1155[0][0], _e1155[0][1], _e1155[0][2]);
+                                                                        let _e1318 = vec3<f32>(_e1155[1][0], _e1155[1][1], _e1155[1][2]);
+                                                                        let _e1319 = vec3<f32>(_e1155[2][0], _e1155[2][1], _e1155[2][2]);
+                                                                        let _e1320 = (_e1155[1][0] - _e1155[0][0]);
+                                                                        let _e1321 = (_e1155[1][1] - _e1155[0][1]);
+                                                                        let _e1322 = (_e1155[1][2] - _e1155[0][2]);
+                                                                        let _e1323 = vec3<f32>(_e1320, _e1321, _e1322);
+                                                                        let _e1324 = (_e1155[2][0] - _e1155[1][0]);
+                                                                        let _e1325 = (_e1155[2][1] - _e1155[1][1]);
+                                                                        let _e1326 = (_e1155[2][2] - _e1155[1][2]);
+                                                                        let _e1327 = vec3<f32>(_e1324, _e1325, _e1326);
+                                                                        let _e1328 = (_e1155[0][0] - _e1155[2][0]);
+                                                                        let _e1329 = (_e1155[0][1] - _e1155[2][1]);
+                                                                        let _e1330 = (_e1155[0][2] - _e1155[2][2]);
+                                                                        let _e1331 = vec3<f32>(_e1328, _e1329, _e1330);
+                                                                        let _e1334 = bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u));
+                                                                        let _e1337 = bitcast<f32>((bitcast<u32>(_e1321) & 2147483647u));
+                                                                        let _e1339 = select(_e1337, _e1334, (_e1334 > _e1337));
+                                                                        let _e1342 = bitcast<f32>((bitcast<u32>(_e1322) & 2147483647u));
+                                                                        let _e1344 = select(_e1342, _e1339, (_e1339 > _e1342));
+                                                                        let _e1347 = bitcast<f32>((bitcast<u32>(_e1324) & 2147483647u));
+                                                                        let _e1350 = bitcast<f32>((bitcast<u32>(_e1325) & 2147483647u));
+                                                                        let _e1352 = select(_e1350, _e1347, (_e1347 > _e1350));
+                                                                        let _e1355 = bitcast<f32>((bitcast<u32>(_e1326) & 2147483647u));
+                                                                        let _e1357 = select(_e1355, _e1352, (_e1352 > _e1355));
+                                                                        let _e1360 = bitcast<f32>((bitcast<u32>(_e1328) & 2147483647u));
+                                                                        let _e1363 = bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u));
+                                                                        let _e1365 = select(_e1363, _e1360, (_e1360 > _e1363));
+                                                                        let _e1368 = bitcast<f32>((bitcast<u32>(_e1330) & 2147483647u));
+                                                                        let _e1370 = select(_e1368, _e1365, (_e1365 > _e1368));
+                                                                        let _e1372 = select(_e1357, _e1344, (_e1344 > _e1357));
+                                                                        let _e1374 = select(_e1370, _e1372, (_e1372 > _e1370));
+                                                                        if (_e1344 == _e1374) {
+                                                                            phi_1942_ = _e1181;
+                                                                            phi_1943_ = _e1178;
+                                                                            phi_1944_ = _e1168;
+                                                                            phi_1945_ = _e1165;
+                                                                            phi_1946_ = _e1317;
+                                                                            phi_1947_ = _e1331;
+                                                                            phi_1948_ = _e1327;
+                                                                            phi_1949_ = _e1323;
                                                                         } else {
-                                                                            let _e1191 = (_e1172 == _e1189);
-                                                                            let _e1196 = vec3(_e1191);
-                                                                            phi_1640_ = select(_e983, _e1009, _e1191);
-                                                                            phi_1641_ = select(_e980, _e1006, _e1191);
-                                                                            phi_1642_ = select(_e1009, _e996, _e1191);
-                                                                            phi_1643_ = select(_e1006, _e993, _e1191);
-                                                                            phi_1644_ = select(_e1134, _e1133, _e1196);
-                                                                            phi_1645_ = select(_e1142, _e1138, _e1196);
-                                                                            phi_1646_ = select(_e1138, _e1146, _e1196);
-                                                                            phi_1647_ = select(_e1146, _e1142, _e1196);
+                                                                            let _e1376 = (_e1357 == _e1374);
+                                                                            let _e1381 = vec3(_e1376);
+                                                                            phi_1942_ = select(_e1168, _e1194, _e1376);
+                                                                            phi_1943_ = select(_e1165, _e1191, _e1376);
+                                                                            phi_1944_ = select(_e1194, _e1181, _e1376);
+                                                                            phi_1945_ = select(_e1191, _e1178, _e1376);
+                                                                            phi_1946_ = select(_e1319, _e1318, _e1381);
+                                                                            phi_1947_ = select(_e1327, _e1323, _e1381);
+                                                                            phi_1948_ = select(_e1323, _e1331, _e1381);
+                                                                            phi_1949_ = select(_e1331, _e1327, _e1381);
                                                                         }
-                                                                        let _e1202 = phi_1640_;
-                                                                        let _e1204 = phi_1641_;
-                                                                        let _e1206 = phi_1642_;
-                                                                        let _e1208 = phi_1643_;
-                                                                        let _e1210 = phi_1644_;
-                                                                        let _e1212 = phi_1645_;
-                                                                        let _e1214 = phi_1646_;
-                                                                        let _e1216 = phi_1647_;
-                                                                        let _e1223 = ((_e1214.y * _e1212.z) - (_e1212.y * _e1214.z));
-                                                                        let _e1228 = ((_e1214.z * _e1212.x) - (_e1212.z * _e1214.x));
-                                                                        let _e1231 = ((_e1214.x * _e1212.y) - (_e1212.x * _e1214.y));
-                                                                        if (_e1031 >= _e1035) {
-                                                                            phi_1678_ = select(true, false, (_e1031 >= _e1039));
+                                                                        let _e1387 = phi_1942_;
+                                                                        let _e1389 = phi_1943_;
+                                                                        let _e1391 = phi_1944_;
+                                                                        let _e1393 = phi_1945_;
+                                                                        let _e1395 = phi_1946_;
+                                                                        let _e1397 = phi_1947_;
+                                                                        let _e1399 = phi_1948_;
+                                                                        let _e1401 = phi_1949_;
+                                                                        let _e1408 = ((_e1399.y * _e1397.z) - (_e1397.y * _e1399.z));
+                                                                        let _e1413 = ((_e1399.z * _e1397.x) - (_e1397.z * _e1399.x));
+                                                                        let _e1416 = ((_e1399.x * _e1397.y) - (_e1397.x * _e1399.y));
+                                                                        if (_e1216 >= _e1220) {
+                                                                            phi_1980_ = select(true, false, (_e1216 >= _e1224));
                                                                         } else {
-                                                                            phi_1678_ = true;
+                                                                            phi_1980_ = true;
                                                                         }
-                                                                        let _e1236 = phi_1678_;
-                                                                        if _e1236 {
-                                                                            phi_1687_ = select(_e1134, _e1133, vec3((_e1035 >= _e1039)));
+                                                                        let _e1421 = phi_1980_;
+                                                                        if _e1421 {
+                                                                            phi_1989_ = select(_e1319, _e1318, vec3((_e1220 >= _e1224)));
                                                                         } else {
-                                                                            phi_1687_ = _e1132;
+                                                                            phi_1989_ = _e1317;
                                                                         }
-                                                                        let _e1241 = phi_1687_;
-                                                                        let _e1252 = (((_e1223 * (_e1241.x - _e295)) + (_e1228 * (_e1241.y - _e334))) + (_e1231 * (_e1241.z - _e372)));
-                                                                        let _e1257 = (((_e1223 * _e320) + (_e1228 * _e358)) + (_e1231 * _e396));
-                                                                        let _e1258 = (_e1204 - _e1208);
-                                                                        let _e1259 = (_e1202 - _e1206);
-                                                                        let _e1267 = (-(((_e1208 * _e1258) + (_e1206 * _e1259))) / ((_e1258 * _e1258) + (_e1259 * _e1259)));
-                                                                        let _e1269 = select(1f, _e1267, (_e1267 < 1f));
-                                                                        let _e1271 = select(0f, _e1269, (_e1269 > 0f));
-                                                                        let _e1284 = ((_e1210.x + (_e1216.x * _e1271)) - _e295);
-                                                                        let _e1285 = ((_e1210.y + (_e1216.y * _e1271)) - _e334);
-                                                                        let _e1286 = ((_e1210.z + (_e1216.z * _e1271)) - _e372);
-                                                                        let _e1287 = (_e1286 / _e396);
-                                                                        let _e1299 = bitcast<f32>((bitcast<u32>(_e1284) & 2147483647u));
-                                                                        let _e1302 = bitcast<f32>((bitcast<u32>(_e1285) & 2147483647u));
-                                                                        let _e1304 = select(_e1302, _e1299, (_e1299 > _e1302));
-                                                                        let _e1307 = bitcast<f32>((bitcast<u32>(_e1286) & 2147483647u));
-                                                                        let _e1309 = select(_e1307, _e1304, (_e1304 > _e1307));
-                                                                        let _e1315 = bitcast<f32>((bitcast<u32>(_e1223) & 2147483647u));
-                                                                        let _e1318 = bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u));
-                                                                        let _e1320 = select(_e1318, _e1315, (_e1315 > _e1318));
-                                                                        let _e1323 = bitcast<f32>((bitcast<u32>(_e1231) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1223 * _e1284) + (_e1228 * _e1285)) + (_e1231 * _e1286)) - _e1252)) & 2147483647u)) <= ((0.0000009536743f * select(_e1189, _e1309, (_e1309 > _e1189))) * select(_e1323, _e1320, (_e1320 > _e1323)))) {
-                                                                            let _e1333 = bitcast<f32>((bitcast<u32>(_e1214.x) & 2147483647u));
-                                                                            let _e1336 = bitcast<f32>((bitcast<u32>(_e1214.y) & 2147483647u));
-                                                                            let _e1338 = select(_e1336, _e1333, (_e1333 > _e1336));
-                                                                            let _e1341 = bitcast<f32>((bitcast<u32>(_e1214.z) & 2147483647u));
-                                                                            let _e1347 = bitcast<f32>((bitcast<u32>(_e1212.x) & 2147483647u));
-                                                                            let _e1350 = bitcast<f32>((bitcast<u32>(_e1212.y) & 2147483647u));
-                                                                            let _e1352 = select(_e1350, _e1347, (_e1347 > _e1350));
-                                                                            let _e1355 = bitcast<f32>((bitcast<u32>(_e1212.z) & 2147483647u));
-                                                                            let _e1359 = (bitcast<f32>((bitcast<u32>(_e1257) & 2147483647u)) > ((0.0000038146973f * select(_e1341, _e1338, (_e1338 > _e1341))) * select(_e1355, _e1352, (_e1352 > _e1355))));
-                                                                            if _e1359 {
-                                                                                phi_1852_ = (_e1252 / _e1257);
+                                                                        let _e1426 = phi_1989_;
+                                                                        let _e1437 = (((_e1408 * (_e1426.x - _e316)) + (_e1413 * (_e1426.y - _e385))) + (_e1416 * (_e1426.z - _e453)));
+                                                                        let _e1442 = (((_e1408 * _e356) + (_e1413 * _e424)) + (_e1416 * _e492));
+                                                                        let _e1443 = (_e1389 - _e1393);
+                                                                        let _e1444 = (_e1387 - _e1391);
+                                                                        let _e1452 = (-(((_e1393 * _e1443) + (_e1391 * _e1444))) / ((_e1443 * _e1443) + (_e1444 * _e1444)));
+                                                                        let _e1454 = select(1f, _e1452, (_e1452 < 1f));
+                                                                        let _e1456 = select(0f, _e1454, (_e1454 > 0f));
+                                                                        let _e1469 = ((_e1395.x + (_e1401.x * _e1456)) - _e316);
+                                                                        let _e1470 = ((_e1395.y + (_e1401.y * _e1456)) - _e385);
+                                                                        let _e1471 = ((_e1395.z + (_e1401.z * _e1456)) - _e453);
+                                                                        let _e1472 = (_e1471 / _e492);
+                                                                        let _e1484 = bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u));
+                                                                        let _e1487 = bitcast<f32>((bitcast<u32>(_e1470) & 2147483647u));
+                                                                        let _e1489 = select(_e1487, _e1484, (_e1484 > _e1487));
+                                                                        let _e1492 = bitcast<f32>((bitcast<u32>(_e1471) & 2147483647u));
+                                                                        let _e1494 = select(_e1492, _e1489, (_e1489 > _e1492));
+                                                                        let _e1500 = bitcast<f32>((bitcast<u32>(_e1408) & 2147483647u));
+                                                                        let _e1503 = bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u));
+                                                                        let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
+                                                                        let _e1508 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1408 * _e1469) + (_e1413 * _e1470)) + (_e1416 * _e1471)) - _e1437)) & 2147483647u)) <= ((0.0000009536743f * select(_e1374, _e1494, (_e1494 > _e1374))) * select(_e1508, _e1505, (_e1505 > _e1508)))) {
+                                                                            let _e1518 = bitcast<f32>((bitcast<u32>(_e1399.x) & 2147483647u));
+                                                                            let _e1521 = bitcast<f32>((bitcast<u32>(_e1399.y) & 2147483647u));
+                                                                            let _e1523 = select(_e1521, _e1518, (_e1518 > _e1521));
+                                                                            let _e1526 = bitcast<f32>((bitcast<u32>(_e1399.z) & 2147483647u));
+                                                                            let _e1532 = bitcast<f32>((bitcast<u32>(_e1397.x) & 2147483647u));
+                                                                            let _e1535 = bitcast<f32>((bitcast<u32>(_e1397.y) & 2147483647u));
+                                                                            let _e1537 = select(_e1535, _e1532, (_e1532 > _e1535));
+                                                                            let _e1540 = bitcast<f32>((bitcast<u32>(_e1397.z) & 2147483647u));
+                                                                            let _e1544 = (bitcast<f32>((bitcast<u32>(_e1442) & 2147483647u)) > ((0.0000038146973f * select(_e1526, _e1523, (_e1523 > _e1526))) * select(_e1540, _e1537, (_e1537 > _e1540))));
+                                                                            if _e1544 {
+                                                                                phi_2154_ = (_e1437 / _e1442);
                                                                             } else {
-                                                                                phi_1852_ = f32();
+                                                                                phi_2154_ = f32();
                                                                             }
-                                                                            let _e1362 = phi_1852_;
-                                                                            phi_1854_ = _e1362;
-                                                                            phi_1855_ = select(true, false, _e1359);
+                                                                            let _e1547 = phi_2154_;
+                                                                            phi_2156_ = _e1547;
+                                                                            phi_2157_ = select(true, false, _e1544);
                                                                         } else {
-                                                                            phi_1854_ = f32();
-                                                                            phi_1855_ = true;
+                                                                            phi_2156_ = f32();
+                                                                            phi_2157_ = true;
                                                                         }
-                                                                        let _e1365 = phi_1854_;
-                                                                        let _e1367 = phi_1855_;
-                                                                        if _e1367 {
-                                                                            let _e1375 = (((_e1223 * (_e1284 - (_e320 * _e1287))) + (_e1228 * (_e1285 - (_e358 * _e1287)))) / _e1257);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1375) & 2147483647u)) <= _e1189) {
-                                                                                phi_1875_ = (_e1287 + _e1375);
+                                                                        let _e1550 = phi_2156_;
+                                                                        let _e1552 = phi_2157_;
+                                                                        if _e1552 {
+                                                                            let _e1560 = (((_e1408 * (_e1469 - (_e356 * _e1472))) + (_e1413 * (_e1470 - (_e424 * _e1472)))) / _e1442);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u)) <= _e1374) {
+                                                                                phi_2177_ = (_e1472 + _e1560);
                                                                             } else {
-                                                                                phi_1875_ = _e1287;
+                                                                                phi_2177_ = _e1472;
                                                                             }
-                                                                            let _e1382 = phi_1875_;
-                                                                            phi_1876_ = _e1382;
+                                                                            let _e1567 = phi_2177_;
+                                                                            phi_2178_ = _e1567;
                                                                         } else {
-                                                                            phi_1876_ = _e1365;
+                                                                            phi_2178_ = _e1550;
                                                                         }
-                                                                        let _e1384 = phi_1876_;
-                                                                        let _e1386 = select(_e1122, _e1384, (_e1384 < _e1122));
-                                                                        let _e1388 = select(_e1114, _e1386, (_e1386 > _e1114));
-                                                                        if (_e1388 >= _e446) {
-                                                                            let _e1390 = (_e1388 <= _e874);
-                                                                            if _e1390 {
-                                                                                let _e1391 = (1f / _e1041);
-                                                                                phi_1899_ = type_22(_e1388, (_e1035 * _e1391), (_e1039 * _e1391), _e903);
+                                                                        let _e1569 = phi_2178_;
+                                                                        let _e1571 = select(_e1307, _e1569, (_e1569 < _e1307));
+                                                                        let _e1573 = select(_e1299, _e1571, (_e1571 > _e1299));
+                                                                        if (_e1573 >= _e607) {
+                                                                            let _e1575 = (_e1573 <= _e1059);
+                                                                            if _e1575 {
+                                                                                let _e1576 = (1f / _e1226);
+                                                                                phi_2201_ = type_22(_e1573, (_e1220 * _e1576), (_e1224 * _e1576), _e1088);
                                                                             } else {
-                                                                                phi_1899_ = type_22();
+                                                                                phi_2201_ = type_22();
                                                                             }
-                                                                            let _e1396 = phi_1899_;
-                                                                            phi_1901_ = _e1396;
-                                                                            phi_1902_ = select(true, false, _e1390);
+                                                                            let _e1581 = phi_2201_;
+                                                                            phi_2203_ = _e1581;
+                                                                            phi_2204_ = select(true, false, _e1575);
                                                                         } else {
-                                                                            phi_1901_ = type_22();
-                                                                            phi_1902_ = true;
+                                                                            phi_2203_ = type_22();
+                                                                            phi_2204_ = true;
                                                                         }
-                                                                        let _e1399 = phi_1901_;
-                                                                        let _e1401 = phi_1902_;
-                                                                        if _e1401 {
-                                                                            phi_1906_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1584 = phi_2203_;
+                                                                        let _e1586 = phi_2204_;
+                                                                        if _e1586 {
+                                                                            phi_2208_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1906_ = _e1399;
+                                                                            phi_2208_ = _e1584;
                                                                         }
-                                                                        let _e1403 = phi_1906_;
-                                                                        phi_1907_ = _e1403;
+                                                                        let _e1588 = phi_2208_;
+                                                                        phi_2209_ = _e1588;
                                                                     }
-                                                                    let _e1405 = phi_1907_;
-                                                                    phi_1908_ = _e1405;
-                                                                    phi_1909_ = _e1131;
+                                                                    let _e1590 = phi_2209_;
+                                                                    phi_2210_ = _e1590;
+                                                                    phi_2211_ = _e1316;
                                                                 }
-                                                                let _e1407 = phi_1908_;
-                                                                let _e1409 = phi_1909_;
-                                                                phi_1913_ = _e1407;
-                                                                phi_1914_ = _e1409;
+                                                                let _e1592 = phi_2210_;
+                                                                let _e1594 = phi_2211_;
+                                                                phi_2215_ = _e1592;
+                                                                phi_2216_ = _e1594;
                                                             }
-                                                            let _e1411 = phi_1913_;
-                                                            let _e1413 = phi_1914_;
-                                                            phi_1915_ = _e1411;
-                                                            phi_1916_ = _e1066;
-                                                            phi_1917_ = _e1413;
+                                                            let _e1596 = phi_2215_;
+                                                            let _e1598 = phi_2216_;
+                                                            phi_2217_ = _e1596;
+                                                            phi_2218_ = _e1251;
+                                                            phi_2219_ = _e1598;
                                                         }
-                                                        let _e1415 = phi_1915_;
-                                                        let _e1417 = phi_1916_;
-                                                        let _e1419 = phi_1917_;
-                                                        phi_1918_ = _e1415;
-                                                        phi_1919_ = _e1417;
-                                                        phi_1920_ = _e1419;
+                                                        let _e1600 = phi_2217_;
+                                                        let _e1602 = phi_2218_;
+                                                        let _e1604 = phi_2219_;
+                                                        phi_2220_ = _e1600;
+                                                        phi_2221_ = _e1602;
+                                                        phi_2222_ = _e1604;
                                                     }
-                                                    let _e1421 = phi_1918_;
-                                                    let _e1423 = phi_1919_;
-                                                    let _e1425 = phi_1920_;
-                                                    phi_1928_ = _e1421;
-                                                    phi_1929_ = select(_e1425, true, _e1423);
+                                                    let _e1606 = phi_2220_;
+                                                    let _e1608 = phi_2221_;
+                                                    let _e1610 = phi_2222_;
+                                                    phi_2230_ = _e1606;
+                                                    phi_2231_ = select(_e1610, true, _e1608);
                                                 } else {
-                                                    phi_1928_ = type_22();
-                                                    phi_1929_ = true;
+                                                    phi_2230_ = type_22();
+                                                    phi_2231_ = true;
                                                 }
-                                                let _e1428 = phi_1928_;
-                                                let _e1430 = phi_1929_;
-                                                if _e1430 {
-                                                    phi_1933_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1613 = phi_2230_;
+                                                let _e1615 = phi_2231_;
+                                                if _e1615 {
+                                                    phi_2235_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1933_ = _e1428;
+                                                    phi_2235_ = _e1613;
                                                 }
-                                                let _e1432 = phi_1933_;
-                                                if (_e1432.member_3 != 4294967295u) {
-                                                    if (_e903 != 4294967295u) {
-                                                        phi_1945_ = type_4(0u, 8u);
-                                                        phi_1948_ = _e1432;
+                                                let _e1617 = phi_2235_;
+                                                if (_e1617.member_3 != 4294967295u) {
+                                                    if (_e1088 != 4294967295u) {
+                                                        phi_2247_ = type_4(0u, 8u);
+                                                        phi_2250_ = _e1617;
                                                         loop {
-                                                            let _e1437 = phi_1945_;
-                                                            let _e1439 = phi_1948_;
-                                                            if (_e1437.member < _e1437.member_1) {
-                                                                phi_1946_ = type_4((_e1437.member + 1u), _e1437.member_1);
-                                                                phi_1971_ = type_4(1u, _e1437.member);
+                                                            let _e1622 = phi_2247_;
+                                                            let _e1624 = phi_2250_;
+                                                            if (_e1622.member < _e1622.member_1) {
+                                                                phi_2248_ = type_4((_e1622.member + 1u), _e1622.member_1);
+                                                                phi_2273_ = type_4(1u, _e1622.member);
                                                             } else {
-                                                                phi_1946_ = _e1437;
-                                                                phi_1971_ = type_4(0u, type_4().member_1);
+                                                                phi_2248_ = _e1622;
+                                                                phi_2273_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1452 = phi_1946_;
-                                                            let _e1454 = phi_1971_;
-                                                            let _e1458 = (bitcast<i32>(_e1454.member) != 0i);
-                                                            if _e1458 {
-                                                                let _e1459 = (_e1454.member_1 < 8u);
-                                                                if _e1459 {
+                                                            let _e1637 = phi_2248_;
+                                                            let _e1639 = phi_2273_;
+                                                            let _e1643 = (bitcast<i32>(_e1639.member) != 0i);
+                                                            if _e1643 {
+                                                                let _e1644 = (_e1639.member_1 < 8u);
+                                                                if _e1644 {
                                                                 } else {
-                                                                    phi_3249_ = true;
+                                                                    phi_3673_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1464 = local_7[_e1454.member_1].member;
-                                                                if (_e1439.member < _e1464) {
-                                                                    phi_2004_ = true;
+                                                                let _e1649 = local_7[_e1639.member_1].member;
+                                                                if (_e1624.member < _e1649) {
+                                                                    phi_2306_ = true;
                                                                 } else {
-                                                                    let _e1466 = local_7[_e1454.member_1].member;
-                                                                    if (_e1439.member == _e1466) {
-                                                                        let _e1471 = local_7[_e1454.member_1].member_3;
-                                                                        phi_2003_ = (_e1439.member_3 < _e1471);
+                                                                    let _e1651 = local_7[_e1639.member_1].member;
+                                                                    if (_e1624.member == _e1651) {
+                                                                        let _e1656 = local_7[_e1639.member_1].member_3;
+                                                                        phi_2305_ = (_e1624.member_3 < _e1656);
                                                                     } else {
-                                                                        phi_2003_ = false;
+                                                                        phi_2305_ = false;
                                                                     }
-                                                                    let _e1474 = phi_2003_;
-                                                                    phi_2004_ = _e1474;
+                                                                    let _e1659 = phi_2305_;
+                                                                    phi_2306_ = _e1659;
                                                                 }
-                                                                let _e1476 = phi_2004_;
-                                                                if _e1476 {
-                                                                    if _e1459 {
+                                                                let _e1661 = phi_2306_;
+                                                                if _e1661 {
+                                                                    if _e1644 {
                                                                     } else {
-                                                                        phi_3249_ = true;
+                                                                        phi_3673_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1477 = local_7[_e1454.member_1];
-                                                                    local_7[_e1454.member_1] = type_22(_e1439.member, _e1439.member_1, _e1439.member_2, _e1439.member_3);
-                                                                    phi_2025_ = type_22(_e1477.member, _e1477.member_1, _e1477.member_2, _e1477.member_3);
+                                                                    let _e1662 = local_7[_e1639.member_1];
+                                                                    local_7[_e1639.member_1] = type_22(_e1624.member, _e1624.member_1, _e1624.member_2, _e1624.member_3);
+                                                                    phi_2327_ = type_22(_e1662.member, _e1662.member_1, _e1662.member_2, _e1662.member_3);
                                                                 } else {
-                                                                    phi_2025_ = _e1439;
+                                                                    phi_2327_ = _e1624;
                                                                 }
-                                                                let _e1488 = phi_2025_;
-                                                                phi_1949_ = _e1488;
+                                                                let _e1673 = phi_2327_;
+                                                                phi_2251_ = _e1673;
                                                             } else {
-                                                                phi_1949_ = type_22();
+                                                                phi_2251_ = type_22();
                                                             }
-                                                            let _e1490 = phi_1949_;
+                                                            let _e1675 = phi_2251_;
                                                             continue;
                                                             continuing {
-                                                                phi_1945_ = _e1452;
-                                                                phi_1948_ = _e1490;
-                                                                phi_3249_ = _e872;
-                                                                break if !(_e1458);
+                                                                phi_2247_ = _e1637;
+                                                                phi_2250_ = _e1675;
+                                                                phi_3673_ = _e1057;
+                                                                break if !(_e1643);
                                                             }
                                                         }
-                                                        let _e1493 = phi_3249_;
-                                                        phi_3505_ = _e874;
-                                                        phi_3391_ = _e1493;
-                                                        if _e1493 {
+                                                        let _e1678 = phi_3673_;
+                                                        phi_3958_ = _e1059;
+                                                        phi_3833_ = _e1678;
+                                                        if _e1678 {
                                                             break;
                                                         }
-                                                        let _e1496 = local_7[7u].member_3;
-                                                        if (_e1496 != 4294967295u) {
-                                                            let _e1500 = local_7[7u].member;
-                                                            phi_3596_ = _e1500;
+                                                        let _e1681 = local_7[7u].member_3;
+                                                        if (_e1681 != 4294967295u) {
+                                                            let _e1685 = local_7[7u].member;
+                                                            phi_4049_ = _e1685;
                                                         } else {
-                                                            phi_3596_ = _e874;
+                                                            phi_4049_ = _e1059;
                                                         }
-                                                        let _e1502 = phi_3596_;
-                                                        phi_3595_ = _e1502;
-                                                        phi_3394_ = _e1493;
+                                                        let _e1687 = phi_4049_;
+                                                        phi_4048_ = _e1687;
+                                                        phi_3836_ = _e1678;
                                                     } else {
-                                                        phi_3595_ = _e874;
-                                                        phi_3394_ = _e872;
+                                                        phi_4048_ = _e1059;
+                                                        phi_3836_ = _e1057;
                                                     }
-                                                    let _e1504 = phi_3595_;
-                                                    let _e1506 = phi_3394_;
-                                                    phi_3594_ = _e1504;
-                                                    phi_3393_ = _e1506;
+                                                    let _e1689 = phi_4048_;
+                                                    let _e1691 = phi_3836_;
+                                                    phi_4047_ = _e1689;
+                                                    phi_3835_ = _e1691;
                                                 } else {
-                                                    phi_3594_ = _e874;
-                                                    phi_3393_ = _e872;
+                                                    phi_4047_ = _e1059;
+                                                    phi_3835_ = _e1057;
                                                 }
-                                                let _e1508 = phi_3594_;
-                                                let _e1510 = phi_3393_;
-                                                phi_3593_ = _e1508;
-                                                phi_3392_ = _e1510;
+                                                let _e1693 = phi_4047_;
+                                                let _e1695 = phi_3835_;
+                                                phi_4046_ = _e1693;
+                                                phi_3834_ = _e1695;
                                             } else {
-                                                phi_3593_ = _e874;
-                                                phi_3392_ = _e872;
+                                                phi_4046_ = _e1059;
+                                                phi_3834_ = _e1057;
                                             }
-                                            let _e1512 = phi_3593_;
-                                            let _e1514 = phi_3392_;
+                                            let _e1697 = phi_4046_;
+                                            let _e1699 = phi_3834_;
                                             continue;
                                             continuing {
-                                                phi_3258_ = _e1514;
-                                                phi_3248_ = _e1512;
-                                                phi_958_ = _e889;
-                                                phi_3505_ = _e1512;
-                                                phi_3391_ = _e1514;
-                                                break if !(_e895);
+                                                phi_3682_ = _e1699;
+                                                phi_3672_ = _e1697;
+                                                phi_1260_ = _e1074;
+                                                phi_3958_ = _e1697;
+                                                phi_3833_ = _e1699;
+                                                break if !(_e1080);
                                             }
                                         }
-                                        let _e1517 = phi_3505_;
-                                        let _e1519 = phi_3391_;
-                                        phi_3396_ = _e1519;
-                                        if _e1519 {
+                                        let _e1702 = phi_3958_;
+                                        let _e1704 = phi_3833_;
+                                        phi_3838_ = _e1704;
+                                        if _e1704 {
                                             break;
                                         }
-                                        phi_3470_ = _e1517;
-                                        phi_3400_ = _e1519;
-                                        phi_2986_ = _e517;
-                                        phi_2987_ = false;
-                                        phi_2988_ = _e521;
+                                        phi_3923_ = _e1702;
+                                        phi_3842_ = _e1704;
+                                        phi_3312_ = _e678;
+                                        phi_3313_ = false;
+                                        phi_3314_ = _e682;
                                     } else {
-                                        let _e530 = (_e517.member_1 < _e84);
-                                        if _e530 {
-                                            if _e530 {
+                                        let _e691 = (_e678.member_1 < _e90);
+                                        if _e691 {
+                                            if _e691 {
                                             } else {
-                                                phi_3396_ = true;
+                                                phi_3838_ = true;
                                                 break;
                                             }
-                                            let _e532 = global_5.member[_e517.member_1];
-                                            phi_2055_ = _e532;
+                                            let _e693 = global_5.member[_e678.member_1];
+                                            phi_2357_ = _e693;
                                         } else {
-                                            phi_2055_ = type_44(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2357_ = type_44(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e534 = phi_2055_;
-                                        let _e549 = ((10u * _e246) & 31u);
-                                        let _e552 = ((_e534.member[0] >> bitcast<u32>(_e549)) & 1023u);
-                                        let _e557 = bitcast<f32>((bitcast<u32>(((_e517.member.member_1[0] - _e517.member.member[0]) * 0.0009775171f)) ^ _e118));
-                                        let _e563 = (_e517.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e552) * _e557)) ^ _e118)));
-                                        let _e567 = select(select(_e517.member.member_1[0], _e563, (_e563 < _e517.member.member_1[0])), _e517.member.member_1[0], (_e552 == 1023u));
-                                        let _e569 = ((10u * _e245) & 31u);
-                                        let _e572 = ((_e534.member[0] >> bitcast<u32>(_e569)) & 1023u);
-                                        let _e577 = bitcast<f32>((bitcast<u32>(((_e517.member.member_1[1] - _e517.member.member[1]) * 0.0009775171f)) ^ _e118));
-                                        let _e583 = (_e517.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e572) * _e577)) ^ _e118)));
-                                        let _e587 = select(select(_e517.member.member_1[1], _e583, (_e583 < _e517.member.member_1[1])), _e517.member.member_1[1], (_e572 == 1023u));
-                                        let _e589 = ((10u * _e247) & 31u);
-                                        let _e592 = ((_e534.member[0] >> bitcast<u32>(_e589)) & 1023u);
-                                        let _e597 = bitcast<f32>((bitcast<u32>(((_e517.member.member_1[2] - _e517.member.member[2]) * 0.0009775171f)) ^ _e118));
-                                        let _e603 = (_e517.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e592) * _e597)) ^ _e118)));
-                                        let _e607 = select(select(_e517.member.member_1[2], _e603, (_e603 < _e517.member.member_1[2])), _e517.member.member_1[2], (_e592 == 1023u));
-                                        let _e610 = ((_e534.member[1] >> bitcast<u32>(_e549)) & 1023u);
-                                        let _e616 = (_e517.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e610) * _e557)) ^ _e118)));
-                                        let _e620 = select(select(_e517.member.member_1[0], _e616, (_e616 < _e517.member.member_1[0])), _e517.member.member_1[0], (_e610 == 1023u));
-                                        let _e623 = ((_e534.member[1] >> bitcast<u32>(_e569)) & 1023u);
-                                        let _e629 = (_e517.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e623) * _e577)) ^ _e118)));
-                                        let _e633 = select(select(_e517.member.member_1[1], _e629, (_e629 < _e517.member.member_1[1])), _e517.member.member_1[1], (_e623 == 1023u));
-                                        let _e636 = ((_e534.member[1] >> bitcast<u32>(_e589)) & 1023u);
-                                        let _e642 = (_e517.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e636) * _e597)) ^ _e118)));
-                                        let _e646 = select(select(_e517.member.member_1[2], _e642, (_e642 < _e517.member.member_1[2])), _e517.member.member_1[2], (_e636 == 1023u));
-                                        let _e652 = ((_e534.member_1[0] >> bitcast<u32>(_e549)) & 1023u);
-                                        let _e658 = (_e517.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e652) * _e557)) ^ _e118)));
-                                        let _e662 = select(select(_e517.member.member_1[0], _e658, (_e658 < _e517.member.member_1[0])), _e517.member.member_1[0], (_e652 == 1023u));
-                                        let _e665 = ((_e534.member_1[0] >> bitcast<u32>(_e569)) & 1023u);
-                                        let _e671 = (_e517.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e665) * _e577)) ^ _e118)));
-                                        let _e675 = select(select(_e517.member.member_1[1], _e671, (_e671 < _e517.member.member_1[1])), _e517.member.member_1[1], (_e665 == 1023u));
-                                        let _e678 = ((_e534.member_1[0] >> bitcast<u32>(_e589)) & 1023u);
-                                        let _e684 = (_e517.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e678) * _e597)) ^ _e118)));
-                                        let _e688 = select(select(_e517.member.member_1[2], _e684, (_e684 < _e517.member.member_1[2])), _e517.member.member_1[2], (_e678 == 1023u));
-                                        let _e691 = ((_e534.member_1[1] >> bitcast<u32>(_e549)) & 1023u);
-                                        let _e697 = (_e517.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e691) * _e557)) ^ _e118)));
-                                        let _e701 = select(select(_e517.member.member_1[0], _e697, (_e697 < _e517.member.member_1[0])), _e517.member.member_1[0], (_e691 == 1023u));
-                                        let _e704 = ((_e534.member_1[1] >> bitcast<u32>(_e569)) & 1023u);
-                                        let _e710 = (_e517.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e704) * _e577)) ^ _e118)));
-                                        let _e714 = select(select(_e517.member.member_1[1], _e710, (_e710 < _e517.member.member_1[1])), _e517.member.member_1[1], (_e704 == 1023u));
-                                        let _e717 = ((_e534.member_1[1] >> bitcast<u32>(_e589)) & 1023u);
-                                        let _e723 = (_e517.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e717) * _e597)) ^ _e118)));
-                                        let _e727 = select(select(_e517.member.member_1[2], _e723, (_e723 < _e517.member.member_1[2])), _e517.member.member_1[2], (_e717 == 1023u));
-                                        let _e732 = type_51(type_49(array<f32, 3>(_e567, _e587, _e607), array<f32, 3>(_e620, _e633, _e646)), _e534.member_2);
-                                        let _e737 = type_51(type_49(array<f32, 3>(_e662, _e675, _e688), array<f32, 3>(_e701, _e714, _e727)), _e534.member_3);
-                                        let _e742 = ((_e567 - _e318) * _e323);
-                                        let _e743 = ((_e662 - _e318) * _e323);
-                                        let _e744 = ((_e620 - _e319) * _e323);
-                                        let _e745 = ((_e701 - _e319) * _e323);
-                                        let _e750 = ((_e587 - _e356) * _e361);
-                                        let _e751 = ((_e675 - _e356) * _e361);
-                                        let _e752 = ((_e633 - _e357) * _e361);
-                                        let _e753 = ((_e714 - _e357) * _e361);
-                                        let _e758 = ((_e607 - _e394) * _e399);
-                                        let _e759 = ((_e688 - _e394) * _e399);
-                                        let _e760 = ((_e646 - _e395) * _e399);
-                                        let _e761 = ((_e727 - _e395) * _e399);
-                                        let _e763 = select(_e760, _e758, (_e758 < _e760));
-                                        let _e765 = select(_e761, _e759, (_e759 < _e761));
-                                        let _e767 = select(_e760, _e758, (_e758 > _e760));
-                                        let _e769 = select(_e761, _e759, (_e759 > _e761));
-                                        let _e771 = select(_e744, _e742, (_e742 < _e744));
-                                        let _e773 = select(_e745, _e743, (_e743 < _e745));
-                                        let _e775 = select(_e752, _e750, (_e750 < _e752));
-                                        let _e777 = select(_e753, _e751, (_e751 < _e753));
-                                        let _e779 = select(_e775, _e771, (_e771 > _e775));
-                                        let _e781 = select(_e777, _e773, (_e773 > _e777));
-                                        let _e783 = select(_e763, _e779, (_e779 > _e763));
-                                        let _e785 = select(_e765, _e781, (_e781 > _e765));
-                                        let _e787 = select(_e744, _e742, (_e742 > _e744));
-                                        let _e789 = select(_e745, _e743, (_e743 > _e745));
-                                        let _e791 = select(_e752, _e750, (_e750 > _e752));
-                                        let _e793 = select(_e753, _e751, (_e751 > _e753));
-                                        let _e795 = select(_e791, _e787, (_e787 < _e791));
-                                        let _e797 = select(_e793, _e789, (_e789 < _e793));
-                                        let _e802 = -(_e763);
-                                        let _e803 = -(_e765);
-                                        let _e810 = (select(_e767, _e795, (_e795 < _e767)) + (select(_e802, _e767, (_e767 > _e802)) * 0.0000019073523f));
-                                        let _e811 = (select(_e769, _e797, (_e797 < _e769)) + (select(_e803, _e769, (_e769 > _e803)) * 0.0000019073523f));
-                                        let _e813 = select(_e446, _e783, (_e783 > _e446));
-                                        let _e815 = select(_e446, _e785, (_e785 > _e446));
-                                        let _e820 = (_e813 <= select(_e479, _e810, (_e810 < _e479)));
-                                        let _e821 = (_e815 <= select(_e479, _e811, (_e811 < _e479)));
-                                        let _e822 = (_e813 <= _e815);
-                                        if _e820 {
-                                            if _e821 {
-                                                if _e822 {
-                                                    phi_2888_ = _e737;
+                                        let _e695 = phi_2357_;
+                                        let _e710 = ((10u * _e252) & 31u);
+                                        let _e713 = ((_e695.member[0] >> bitcast<u32>(_e710)) & 1023u);
+                                        let _e721 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[0] - _e678.member.member[0]) * 0.0009775171f)) ^ _e124));
+                                        let _e726 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e713)) - 8388608f) * _e721)) ^ _e124)));
+                                        let _e730 = select(select(_e678.member.member_1[0], _e726, (_e726 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e713 == 1023u));
+                                        let _e732 = ((10u * _e251) & 31u);
+                                        let _e735 = ((_e695.member[0] >> bitcast<u32>(_e732)) & 1023u);
+                                        let _e743 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[1] - _e678.member.member[1]) * 0.0009775171f)) ^ _e124));
+                                        let _e748 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e735)) - 8388608f) * _e743)) ^ _e124)));
+                                        let _e752 = select(select(_e678.member.member_1[1], _e748, (_e748 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e735 == 1023u));
+                                        let _e754 = ((10u * _e253) & 31u);
+                                        let _e757 = ((_e695.member[0] >> bitcast<u32>(_e754)) & 1023u);
+                                        let _e765 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[2] - _e678.member.member[2]) * 0.0009775171f)) ^ _e124));
+                                        let _e770 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e757)) - 8388608f) * _e765)) ^ _e124)));
+                                        let _e774 = select(select(_e678.member.member_1[2], _e770, (_e770 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e757 == 1023u));
+                                        let _e777 = ((_e695.member[1] >> bitcast<u32>(_e710)) & 1023u);
+                                        let _e785 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e777)) - 8388608f) * _e721)) ^ _e124)));
+                                        let _e789 = select(select(_e678.member.member_1[0], _e785, (_e785 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e777 == 1023u));
+                                        let _e792 = ((_e695.member[1] >> bitcast<u32>(_e732)) & 1023u);
+                                        let _e800 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e792)) - 8388608f) * _e743)) ^ _e124)));
+                                        let _e804 = select(select(_e678.member.member_1[1], _e800, (_e800 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e792 == 1023u));
+                                        let _e807 = ((_e695.member[1] >> bitcast<u32>(_e754)) & 1023u);
+                                        let _e815 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e765)) ^ _e124)));
+                                        let _e819 = select(select(_e678.member.member_1[2], _e815, (_e815 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e807 == 1023u));
+                                        let _e825 = ((_e695.member_1[0] >> bitcast<u32>(_e710)) & 1023u);
+                                        let _e833 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e825)) - 8388608f) * _e721)) ^ _e124)));
+                                        let _e837 = select(select(_e678.member.member_1[0], _e833, (_e833 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e825 == 1023u));
+                                        let _e840 = ((_e695.member_1[0] >> bitcast<u32>(_e732)) & 1023u);
+                                        let _e848 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e840)) - 8388608f) * _e743)) ^ _e124)));
+                                        let _e852 = select(select(_e678.member.member_1[1], _e848, (_e848 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e840 == 1023u));
+                                        let _e855 = ((_e695.member_1[0] >> bitcast<u32>(_e754)) & 1023u);
+                                        let _e863 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e855)) - 8388608f) * _e765)) ^ _e124)));
+                                        let _e867 = select(select(_e678.member.member_1[2], _e863, (_e863 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e855 == 1023u));
+                                        let _e870 = ((_e695.member_1[1] >> bitcast<u32>(_e710)) & 1023u);
+                                        let _e878 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e870)) - 8388608f) * _e721)) ^ _e124)));
+                                        let _e882 = select(select(_e678.member.member_1[0], _e878, (_e878 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e870 == 1023u));
+                                        let _e885 = ((_e695.member_1[1] >> bitcast<u32>(_e732)) & 1023u);
+                                        let _e893 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e885)) - 8388608f) * _e743)) ^ _e124)));
+                                        let _e897 = select(select(_e678.member.member_1[1], _e893, (_e893 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e885 == 1023u));
+                                        let _e900 = ((_e695.member_1[1] >> bitcast<u32>(_e754)) & 1023u);
+                                        let _e908 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e900)) - 8388608f) * _e765)) ^ _e124)));
+                                        let _e912 = select(select(_e678.member.member_1[2], _e908, (_e908 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e900 == 1023u));
+                                        let _e917 = type_51(type_49(array<f32, 3>(_e730, _e752, _e774), array<f32, 3>(_e789, _e804, _e819)), _e695.member_2);
+                                        let _e922 = type_51(type_49(array<f32, 3>(_e837, _e852, _e867), array<f32, 3>(_e882, _e897, _e912)), _e695.member_3);
+                                        let _e927 = ((_e730 - _e354) * _e359);
+                                        let _e928 = ((_e837 - _e354) * _e359);
+                                        let _e929 = ((_e789 - _e355) * _e359);
+                                        let _e930 = ((_e882 - _e355) * _e359);
+                                        let _e935 = ((_e752 - _e422) * _e427);
+                                        let _e936 = ((_e852 - _e422) * _e427);
+                                        let _e937 = ((_e804 - _e423) * _e427);
+                                        let _e938 = ((_e897 - _e423) * _e427);
+                                        let _e943 = ((_e774 - _e490) * _e495);
+                                        let _e944 = ((_e867 - _e490) * _e495);
+                                        let _e945 = ((_e819 - _e491) * _e495);
+                                        let _e946 = ((_e912 - _e491) * _e495);
+                                        let _e948 = select(_e945, _e943, (_e943 < _e945));
+                                        let _e950 = select(_e946, _e944, (_e944 < _e946));
+                                        let _e952 = select(_e945, _e943, (_e943 > _e945));
+                                        let _e954 = select(_e946, _e944, (_e944 > _e946));
+                                        let _e956 = select(_e929, _e927, (_e927 < _e929));
+                                        let _e958 = select(_e930, _e928, (_e928 < _e930));
+                                        let _e960 = select(_e937, _e935, (_e935 < _e937));
+                                        let _e962 = select(_e938, _e936, (_e936 < _e938));
+                                        let _e964 = select(_e960, _e956, (_e956 > _e960));
+                                        let _e966 = select(_e962, _e958, (_e958 > _e962));
+                                        let _e968 = select(_e948, _e964, (_e964 > _e948));
+                                        let _e970 = select(_e950, _e966, (_e966 > _e950));
+                                        let _e972 = select(_e929, _e927, (_e927 > _e929));
+                                        let _e974 = select(_e930, _e928, (_e928 > _e930));
+                                        let _e976 = select(_e937, _e935, (_e935 > _e937));
+                                        let _e978 = select(_e938, _e936, (_e936 > _e938));
+                                        let _e980 = select(_e976, _e972, (_e972 < _e976));
+                                        let _e982 = select(_e978, _e974, (_e974 < _e978));
+                                        let _e987 = -(_e948);
+                                        let _e988 = -(_e950);
+                                        let _e995 = (select(_e952, _e980, (_e980 < _e952)) + (select(_e987, _e952, (_e952 > _e987)) * 0.0000019073523f));
+                                        let _e996 = (select(_e954, _e982, (_e982 < _e954)) + (select(_e988, _e954, (_e954 > _e988)) * 0.0000019073523f));
+                                        let _e998 = select(_e607, _e968, (_e968 > _e607));
+                                        let _e1000 = select(_e607, _e970, (_e970 > _e607));
+                                        let _e1005 = (_e998 <= select(_e640, _e995, (_e995 < _e640)));
+                                        let _e1006 = (_e1000 <= select(_e640, _e996, (_e996 < _e640)));
+                                        let _e1007 = (_e998 <= _e1000);
+                                        if _e1005 {
+                                            if _e1006 {
+                                                if _e1007 {
+                                                    phi_3214_ = _e922;
                                                 } else {
-                                                    phi_2888_ = _e732;
+                                                    phi_3214_ = _e917;
                                                 }
-                                                let _e824 = phi_2888_;
-                                                let _e832 = (_e521 % 128u);
-                                                let _e833 = (_e832 < 128u);
-                                                if _e833 {
+                                                let _e1009 = phi_3214_;
+                                                let _e1017 = (_e682 % 128u);
+                                                let _e1018 = (_e1017 < 128u);
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3396_ = true;
+                                                    phi_3838_ = true;
                                                     break;
                                                 }
-                                                local_6[_e832] = _e824.member_1;
-                                                if _e833 {
+                                                local_6[_e1017] = _e1009.member_1;
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3396_ = true;
+                                                    phi_3838_ = true;
                                                     break;
                                                 }
-                                                local_5[_e832] = _e824.member.member[0];
-                                                if _e833 {
+                                                local_5[_e1017] = _e1009.member.member[0];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3396_ = true;
+                                                    phi_3838_ = true;
                                                     break;
                                                 }
-                                                local_4[_e832] = _e824.member.member[1];
-                                                if _e833 {
+                                                local_4[_e1017] = _e1009.member.member[1];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3396_ = true;
+                                                    phi_3838_ = true;
                                                     break;
                                                 }
-                                                local_3[_e832] = _e824.member.member[2];
-                                                if _e833 {
+                                                local_3[_e1017] = _e1009.member.member[2];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3396_ = true;
+                                                    phi_3838_ = true;
                                                     break;
                                                 }
-                                                local_2[_e832] = _e824.member.member_1[0];
-                                                if _e833 {
+                                                local_2[_e1017] = _e1009.member.member_1[0];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3396_ = true;
+                                                    phi_3838_ = true;
                                                     break;
                                                 }
-                                                local_1[_e832] = _e824.member.member_1[1];
-                                                if _e833 {
+                                                local_1[_e1017] = _e1009.member.member_1[1];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3396_ = true;
+                                                    phi_3838_ = true;
                                                     break;
                                                 }
-                                                local[_e832] = _e824.member.member_1[2];
-                                                if _e833 {
+                                                local[_e1017] = _e1009.member.member_1[2];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3396_ = true;
+                                                    phi_3838_ = true;
                                                     break;
                                                 }
-                                                local_8[_e832] = select(_e815, _e813, (_e813 > _e815));
-                                                if _e822 {
-                                                    phi_2965_ = _e732;
+                                                local_8[_e1017] = select(_e1000, _e998, (_e998 > _e1000));
+                                                if _e1007 {
+                                                    phi_3291_ = _e917;
                                                 } else {
-                                                    phi_2965_ = _e737;
+                                                    phi_3291_ = _e922;
                                                 }
-                                                let _e850 = phi_2965_;
-                                                phi_2966_ = _e850;
-                                                phi_2967_ = (_e521 + 1u);
+                                                let _e1035 = phi_3291_;
+                                                phi_3292_ = _e1035;
+                                                phi_3293_ = (_e682 + 1u);
                                             } else {
-                                                phi_2966_ = type_51();
-                                                phi_2967_ = u32();
+                                                phi_3292_ = type_51();
+                                                phi_3293_ = u32();
                                             }
-                                            let _e852 = phi_2966_;
-                                            let _e854 = phi_2967_;
-                                            phi_2969_ = _e852;
-                                            phi_2970_ = _e854;
-                                            phi_2971_ = select(true, false, _e821);
+                                            let _e1037 = phi_3292_;
+                                            let _e1039 = phi_3293_;
+                                            phi_3295_ = _e1037;
+                                            phi_3296_ = _e1039;
+                                            phi_3297_ = select(true, false, _e1006);
                                         } else {
-                                            phi_2969_ = type_51();
-                                            phi_2970_ = u32();
-                                            phi_2971_ = true;
+                                            phi_3295_ = type_51();
+                                            phi_3296_ = u32();
+                                            phi_3297_ = true;
                                         }
-                                        let _e857 = phi_2969_;
-                                        let _e859 = phi_2970_;
-                                        let _e861 = phi_2971_;
-                                        if _e861 {
-                                            if _e820 {
-                                                phi_2978_ = _e732;
+                                        let _e1042 = phi_3295_;
+                                        let _e1044 = phi_3296_;
+                                        let _e1046 = phi_3297_;
+                                        if _e1046 {
+                                            if _e1005 {
+                                                phi_3304_ = _e917;
                                             } else {
-                                                phi_2978_ = _e737;
+                                                phi_3304_ = _e922;
                                             }
-                                            let _e863 = phi_2978_;
-                                            phi_2983_ = _e863;
-                                            phi_2984_ = select(_e821, true, _e820);
+                                            let _e1048 = phi_3304_;
+                                            phi_3309_ = _e1048;
+                                            phi_3310_ = select(_e1006, true, _e1005);
                                         } else {
-                                            phi_2983_ = _e857;
-                                            phi_2984_ = _e519;
+                                            phi_3309_ = _e1042;
+                                            phi_3310_ = _e680;
                                         }
-                                        let _e866 = phi_2983_;
-                                        let _e868 = phi_2984_;
-                                        phi_3470_ = _e479;
-                                        phi_3400_ = _e477;
-                                        phi_2986_ = _e866;
-                                        phi_2987_ = _e868;
-                                        phi_2988_ = select(_e859, _e521, _e861);
+                                        let _e1051 = phi_3309_;
+                                        let _e1053 = phi_3310_;
+                                        phi_3923_ = _e640;
+                                        phi_3842_ = _e638;
+                                        phi_3312_ = _e1051;
+                                        phi_3313_ = _e1053;
+                                        phi_3314_ = select(_e1044, _e682, _e1046);
                                     }
-                                    let _e1521 = phi_3470_;
-                                    let _e1523 = phi_3400_;
-                                    let _e1525 = phi_2986_;
-                                    let _e1527 = phi_2987_;
-                                    let _e1529 = phi_2988_;
-                                    phi_3469_ = _e1521;
-                                    phi_3399_ = _e1523;
-                                    phi_2989_ = _e1525;
-                                    phi_2990_ = (_e483 - 1u);
-                                    phi_2991_ = _e1527;
-                                    phi_2992_ = _e1529;
+                                    let _e1706 = phi_3923_;
+                                    let _e1708 = phi_3842_;
+                                    let _e1710 = phi_3312_;
+                                    let _e1712 = phi_3313_;
+                                    let _e1714 = phi_3314_;
+                                    phi_3922_ = _e1706;
+                                    phi_3841_ = _e1708;
+                                    phi_3315_ = _e1710;
+                                    phi_3316_ = (_e644 - 1u);
+                                    phi_3317_ = _e1712;
+                                    phi_3318_ = _e1714;
                                 } else {
-                                    phi_3469_ = _e479;
-                                    phi_3399_ = _e477;
-                                    phi_2989_ = _e517;
-                                    phi_2990_ = _e483;
-                                    phi_2991_ = _e519;
-                                    phi_2992_ = _e521;
+                                    phi_3922_ = _e640;
+                                    phi_3841_ = _e638;
+                                    phi_3315_ = _e678;
+                                    phi_3316_ = _e644;
+                                    phi_3317_ = _e680;
+                                    phi_3318_ = _e682;
                                 }
-                                let _e1531 = phi_3469_;
-                                let _e1533 = phi_3399_;
-                                let _e1535 = phi_2989_;
-                                let _e1537 = phi_2990_;
-                                let _e1539 = phi_2991_;
-                                let _e1541 = phi_2992_;
-                                phi_3468_ = _e1531;
-                                phi_3398_ = _e1533;
-                                phi_2993_ = _e1535;
-                                phi_2994_ = _e1537;
-                                phi_2995_ = _e1539;
-                                phi_2996_ = _e1541;
+                                let _e1716 = phi_3922_;
+                                let _e1718 = phi_3841_;
+                                let _e1720 = phi_3315_;
+                                let _e1722 = phi_3316_;
+                                let _e1724 = phi_3317_;
+                                let _e1726 = phi_3318_;
+                                phi_3921_ = _e1716;
+                                phi_3840_ = _e1718;
+                                phi_3319_ = _e1720;
+                                phi_3320_ = _e1722;
+                                phi_3321_ = _e1724;
+                                phi_3322_ = _e1726;
                             } else {
-                                phi_3468_ = _e479;
-                                phi_3398_ = _e477;
-                                phi_2993_ = type_51();
-                                phi_2994_ = u32();
-                                phi_2995_ = bool();
-                                phi_2996_ = u32();
+                                phi_3921_ = _e640;
+                                phi_3840_ = _e638;
+                                phi_3319_ = type_51();
+                                phi_3320_ = u32();
+                                phi_3321_ = bool();
+                                phi_3322_ = u32();
                             }
-                            let _e1543 = phi_3468_;
-                            let _e1545 = phi_3398_;
-                            let _e1547 = phi_2993_;
-                            let _e1549 = phi_2994_;
-                            let _e1551 = phi_2995_;
-                            let _e1553 = phi_2996_;
-                            phi_3467_ = _e1543;
-                            phi_3397_ = _e1545;
-                            phi_834_ = _e1547;
-                            phi_837_ = _e1549;
-                            phi_839_ = _e1551;
-                            phi_841_ = _e1553;
-                            phi_2997_ = _e491;
+                            let _e1728 = phi_3921_;
+                            let _e1730 = phi_3840_;
+                            let _e1732 = phi_3319_;
+                            let _e1734 = phi_3320_;
+                            let _e1736 = phi_3321_;
+                            let _e1738 = phi_3322_;
+                            phi_3920_ = _e1728;
+                            phi_3839_ = _e1730;
+                            phi_1136_ = _e1732;
+                            phi_1139_ = _e1734;
+                            phi_1141_ = _e1736;
+                            phi_1143_ = _e1738;
+                            phi_3323_ = _e652;
                         } else {
-                            phi_3467_ = _e479;
-                            phi_3397_ = _e477;
-                            phi_834_ = type_51();
-                            phi_837_ = u32();
-                            phi_839_ = bool();
-                            phi_841_ = u32();
-                            phi_2997_ = false;
+                            phi_3920_ = _e640;
+                            phi_3839_ = _e638;
+                            phi_1136_ = type_51();
+                            phi_1139_ = u32();
+                            phi_1141_ = bool();
+                            phi_1143_ = u32();
+                            phi_3323_ = false;
                         }
-                        let _e1555 = phi_3467_;
-                        let _e1557 = phi_3397_;
-                        let _e1559 = phi_834_;
-                        let _e1561 = phi_837_;
-                        let _e1563 = phi_839_;
-                        let _e1565 = phi_841_;
-                        let _e1567 = phi_2997_;
+                        let _e1740 = phi_3920_;
+                        let _e1742 = phi_3839_;
+                        let _e1744 = phi_1136_;
+                        let _e1746 = phi_1139_;
+                        let _e1748 = phi_1141_;
+                        let _e1750 = phi_1143_;
+                        let _e1752 = phi_3323_;
                         continue;
                         continuing {
-                            phi_3261_ = _e1557;
-                            phi_3217_ = _e1555;
-                            phi_833_ = _e1559;
-                            phi_836_ = _e1561;
-                            phi_838_ = _e1563;
-                            phi_840_ = _e1565;
-                            phi_3396_ = _e1557;
-                            break if !(_e1567);
+                            phi_3685_ = _e1742;
+                            phi_3641_ = _e1740;
+                            phi_1135_ = _e1744;
+                            phi_1138_ = _e1746;
+                            phi_1140_ = _e1748;
+                            phi_1142_ = _e1750;
+                            phi_3838_ = _e1742;
+                            break if !(_e1752);
                         }
                     }
-                    let _e1570 = phi_3396_;
-                    if _e1570 {
+                    let _e1755 = phi_3838_;
+                    if _e1755 {
                         break;
                     }
-                    phi_3004_ = type_4(0u, 8u);
+                    phi_3330_ = type_4(0u, 8u);
                     loop {
-                        let _e1572 = phi_3004_;
-                        if (_e1572.member < _e1572.member_1) {
-                            phi_3005_ = type_4((_e1572.member + 1u), _e1572.member_1);
-                            phi_3028_ = type_4(1u, _e1572.member);
+                        let _e1757 = phi_3330_;
+                        if (_e1757.member < _e1757.member_1) {
+                            phi_3331_ = type_4((_e1757.member + 1u), _e1757.member_1);
+                            phi_3354_ = type_4(1u, _e1757.member);
                         } else {
-                            phi_3005_ = _e1572;
-                            phi_3028_ = type_4(0u, type_4().member_1);
+                            phi_3331_ = _e1757;
+                            phi_3354_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1585 = phi_3005_;
-                        let _e1587 = phi_3028_;
-                        let _e1591 = (bitcast<i32>(_e1587.member) != 0i);
-                        if _e1591 {
-                            let _e1592 = (_e1587.member_1 < 8u);
-                            if _e1592 {
+                        let _e1770 = phi_3331_;
+                        let _e1772 = phi_3354_;
+                        let _e1776 = (bitcast<i32>(_e1772.member) != 0i);
+                        if _e1776 {
+                            let _e1777 = (_e1772.member_1 < 8u);
+                            if _e1777 {
                             } else {
-                                phi_3460_ = true;
+                                phi_3902_ = true;
                                 break;
                             }
-                            let _e1594 = local_7[_e1587.member_1];
-                            if (_e1594.member_3 != 4294967295u) {
-                                let _e1600 = -(_e413);
-                                let _e1601 = (_e1600 / 3i);
-                                let _e1608 = bitcast<f32>((bitcast<u32>((_e1601 + 127i)) << bitcast<u32>(23i)));
-                                let _e1616 = (((_e1594.member * _e1608) * _e1608) * bitcast<f32>((bitcast<u32>(((_e1600 - (2i * _e1601)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1618 = select(340282350000000000000000000000000000000f, _e1616, (_e1616 < 340282350000000000000000000000000000000f));
-                                phi_3094_ = type_22(select(-340282350000000000000000000000000000000f, _e1618, (_e1618 > -340282350000000000000000000000000000000f)), _e1594.member_1, _e1594.member_2, _e1594.member_3);
+                            let _e1779 = local_7[_e1772.member_1];
+                            if (_e1779.member_3 != 4294967295u) {
+                                let _e1785 = -(_e509);
+                                let _e1786 = bitcast<u32>(_e1779.member);
+                                let _e1790 = (bitcast<i32>((_e1786 >> bitcast<u32>(23i))) & 255i);
+                                let _e1791 = (_e1790 + _e1785);
+                                if (_e1790 == 255i) {
+                                    phi_3427_ = _e1779.member;
+                                } else {
+                                    if (_e1790 > 0i) {
+                                        if (_e1791 > 0i) {
+                                            let _e1795 = (_e1791 < 255i);
+                                            if _e1795 {
+                                                phi_3406_ = bitcast<f32>((_e1786 + bitcast<u32>((_e1785 << bitcast<u32>(23i)))));
+                                            } else {
+                                                phi_3406_ = f32();
+                                            }
+                                            let _e1802 = phi_3406_;
+                                            phi_3408_ = _e1802;
+                                            phi_3409_ = select(true, false, _e1795);
+                                        } else {
+                                            phi_3408_ = f32();
+                                            phi_3409_ = true;
+                                        }
+                                        let _e1805 = phi_3408_;
+                                        let _e1807 = phi_3409_;
+                                        phi_3410_ = _e1805;
+                                        phi_3411_ = _e1807;
+                                    } else {
+                                        phi_3410_ = f32();
+                                        phi_3411_ = true;
+                                    }
+                                    let _e1809 = phi_3410_;
+                                    let _e1811 = phi_3411_;
+                                    if _e1811 {
+                                        let _e1812 = (_e1786 & 2147483648u);
+                                        let _e1819 = ((_e1786 & 8388607u) | (select(0u, 1u, ((_e1786 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1823 = (_e1819 == 0u);
+                                        if _e1823 {
+                                            phi_3600_ = bitcast<f32>(_e1812);
+                                        } else {
+                                            let _e1828 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1819)), 32u, _e1823) - 8u);
+                                            let _e1831 = (_e1819 << bitcast<u32>((_e1828 & 31u)));
+                                            let _e1833 = ((_e1791 + select(0i, 1i, (_e1790 == 0i))) - bitcast<i32>(_e1828));
+                                            if (_e1833 >= 255i) {
+                                                phi_3590_ = bitcast<f32>((_e1812 | 2139095040u));
+                                                phi_3591_ = f32();
+                                                phi_3592_ = true;
+                                            } else {
+                                                let _e1835 = (_e1833 > 0i);
+                                                if _e1835 {
+                                                    phi_3584_ = bitcast<f32>(((_e1812 | (bitcast<u32>(_e1833) << bitcast<u32>(23i))) | (_e1831 & 8388607u)));
+                                                    phi_3585_ = f32();
+                                                } else {
+                                                    if (_e1833 < -24i) {
+                                                        phi_3550_ = 26u;
+                                                    } else {
+                                                        phi_3550_ = bitcast<u32>((1i - _e1833));
+                                                    }
+                                                    let _e1840 = phi_3550_;
+                                                    let _e1841 = (_e1840 & 31u);
+                                                    let _e1843 = (_e1831 >> bitcast<u32>(_e1841));
+                                                    let _e1847 = (_e1831 & ((1u << bitcast<u32>(_e1841)) - 1u));
+                                                    let _e1851 = (1u << bitcast<u32>(((_e1840 - 1u) & 31u)));
+                                                    if (_e1847 > _e1851) {
+                                                        phi_3571_ = true;
+                                                    } else {
+                                                        if (_e1847 == _e1851) {
+                                                            phi_3568_ = ((_e1843 & 1u) == 1u);
+                                                        } else {
+                                                            phi_3568_ = false;
+                                                        }
+                                                        let _e1857 = phi_3568_;
+                                                        phi_3571_ = _e1857;
+                                                    }
+                                                    let _e1859 = phi_3571_;
+                                                    phi_3584_ = f32();
+                                                    phi_3585_ = bitcast<f32>((_e1812 | (_e1843 + select(0u, 1u, _e1859))));
+                                                }
+                                                let _e1872 = phi_3584_;
+                                                let _e1874 = phi_3585_;
+                                                phi_3590_ = _e1872;
+                                                phi_3591_ = _e1874;
+                                                phi_3592_ = _e1835;
+                                            }
+                                            let _e1878 = phi_3590_;
+                                            let _e1880 = phi_3591_;
+                                            let _e1882 = phi_3592_;
+                                            phi_3600_ = select(_e1880, _e1878, _e1882);
+                                        }
+                                        let _e1886 = phi_3600_;
+                                        phi_3426_ = _e1886;
+                                    } else {
+                                        phi_3426_ = _e1809;
+                                    }
+                                    let _e1888 = phi_3426_;
+                                    phi_3427_ = _e1888;
+                                }
+                                let _e1890 = phi_3427_;
+                                let _e1891 = bitcast<u32>(_e1890);
+                                if ((_e1891 & 2147483647u) >= 2139095040u) {
+                                    phi_3439_ = bitcast<f32>(((_e1891 & 2147483648u) | 2139095039u));
+                                } else {
+                                    phi_3439_ = _e1890;
+                                }
+                                let _e1898 = phi_3439_;
+                                phi_3444_ = type_22(_e1898, _e1779.member_1, _e1779.member_2, _e1779.member_3);
                             } else {
-                                phi_3094_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3444_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1623 = phi_3094_;
-                            if _e1592 {
+                            let _e1901 = phi_3444_;
+                            if _e1777 {
                             } else {
-                                phi_3460_ = true;
+                                phi_3902_ = true;
                                 break;
                             }
-                            local_7[_e1587.member_1] = type_22(_e1623.member, _e1623.member_1, _e1623.member_2, _e1623.member_3);
+                            local_7[_e1772.member_1] = type_22(_e1901.member, _e1901.member_1, _e1901.member_2, _e1901.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3004_ = _e1585;
-                            phi_3460_ = _e1570;
-                            break if !(_e1591);
+                            phi_3330_ = _e1770;
+                            phi_3902_ = _e1755;
+                            break if !(_e1776);
                         }
                     }
-                    let _e1631 = phi_3460_;
-                    if _e1631 {
+                    let _e1909 = phi_3902_;
+                    if _e1909 {
                         break;
                     }
-                    let _e1632 = local_7;
-                    if _e134 {
+                    let _e1910 = local_7;
+                    if _e140 {
                     } else {
                         break;
                     }
-                    global_6.member[_e132] = array<type_22, 8>(type_22(_e1632[0].member, _e1632[0].member_1, _e1632[0].member_2, _e1632[0].member_3), type_22(_e1632[1].member, _e1632[1].member_1, _e1632[1].member_2, _e1632[1].member_3), type_22(_e1632[2].member, _e1632[2].member_1, _e1632[2].member_2, _e1632[2].member_3), type_22(_e1632[3].member, _e1632[3].member_1, _e1632[3].member_2, _e1632[3].member_3), type_22(_e1632[4].member, _e1632[4].member_1, _e1632[4].member_2, _e1632[4].member_3), type_22(_e1632[5].member, _e1632[5].member_1, _e1632[5].member_2, _e1632[5].member_3), type_22(_e1632[6].member, _e1632[6].member_1, _e1632[6].member_2, _e1632[6].member_3), type_22(_e1632[7].member, _e1632[7].member_1, _e1632[7].member_2, _e1632[7].member_3));
+                    global_6.member[_e138] = array<type_22, 8>(type_22(_e1910[0].member, _e1910[0].member_1, _e1910[0].member_2, _e1910[0].member_3), type_22(_e1910[1].member, _e1910[1].member_1, _e1910[1].member_2, _e1910[1].member_3), type_22(_e1910[2].member, _e1910[2].member_1, _e1910[2].member_2, _e1910[2].member_3), type_22(_e1910[3].member, _e1910[3].member_1, _e1910[3].member_2, _e1910[3].member_3), type_22(_e1910[4].member, _e1910[4].member_1, _e1910[4].member_2, _e1910[4].member_3), type_22(_e1910[5].member, _e1910[5].member_1, _e1910[5].member_2, _e1910[5].member_3), type_22(_e1910[6].member, _e1910[6].member_1, _e1910[6].member_2, _e1910[6].member_3), type_22(_e1910[7].member, _e1910[7].member_1, _e1910[7].member_2, _e1910[7].member_3));
                 }
             }
             break;

@@ -89,407 +89,484 @@ fn function_() {
     var local_8: array<f32, 128>;
     var local_9: array<f32, 3>;
     var local_10: array<f32, 3>;
-    var phi_342_: i32;
-    var phi_343_: i32;
-    var phi_353_: bool;
-    var phi_363_: u32;
-    var phi_364_: u32;
-    var phi_366_: bool;
-    var phi_371_: u32;
-    var phi_383_: i32;
-    var phi_403_: i32;
-    var phi_421_: f32;
-    var phi_427_: f32;
-    var phi_438_: f32;
-    var phi_444_: f32;
-    var phi_467_: f32;
-    var phi_478_: f32;
-    var phi_487_: f32;
-    var phi_493_: f32;
-    var phi_504_: f32;
-    var phi_510_: f32;
-    var phi_533_: f32;
-    var phi_544_: f32;
-    var phi_553_: f32;
-    var phi_559_: f32;
-    var phi_570_: f32;
-    var phi_576_: f32;
-    var phi_599_: f32;
-    var phi_610_: f32;
-    var phi_710_: f32;
-    var phi_711_: f32;
-    var phi_3468_: bool;
-    var phi_3388_: f32;
-    var phi_837_: type_52;
-    var phi_840_: u32;
-    var phi_842_: bool;
-    var phi_844_: u32;
-    var phi_855_: bool;
-    var phi_942_: type_52;
-    var phi_943_: bool;
+    var phi_424_: i32;
+    var phi_425_: i32;
+    var phi_435_: bool;
+    var phi_445_: u32;
+    var phi_446_: u32;
+    var phi_448_: bool;
+    var phi_453_: u32;
+    var phi_465_: i32;
+    var phi_485_: i32;
+    var phi_503_: f32;
+    var phi_509_: f32;
+    var phi_549_: f32;
+    var phi_555_: f32;
+    var phi_607_: f32;
+    var phi_618_: f32;
+    var phi_627_: f32;
+    var phi_633_: f32;
+    var phi_673_: f32;
+    var phi_679_: f32;
+    var phi_731_: f32;
+    var phi_742_: f32;
+    var phi_751_: f32;
+    var phi_757_: f32;
+    var phi_797_: f32;
+    var phi_803_: f32;
+    var phi_855_: f32;
+    var phi_866_: f32;
+    var phi_921_: i32;
+    var phi_943_: u32;
     var phi_944_: u32;
-    var phi_2226_: type_39;
-    var phi_3059_: type_52;
-    var phi_3136_: type_52;
-    var phi_3137_: type_52;
-    var phi_3138_: u32;
-    var phi_3140_: type_52;
-    var phi_3141_: u32;
-    var phi_3142_: bool;
-    var phi_3149_: type_52;
-    var phi_3154_: type_52;
-    var phi_3155_: bool;
-    var phi_3465_: bool;
-    var phi_3437_: f32;
-    var phi_963_: type_4;
-    var phi_964_: type_4;
-    var phi_987_: type_4;
-    var phi_1012_: u32;
-    var phi_1028_: type_46;
-    var phi_1405_: bool;
-    var phi_1434_: bool;
-    var phi_1811_: f32;
-    var phi_1812_: f32;
-    var phi_1813_: f32;
-    var phi_1814_: f32;
-    var phi_1815_: vec3<f32>;
-    var phi_1816_: vec3<f32>;
-    var phi_1817_: vec3<f32>;
-    var phi_1818_: vec3<f32>;
-    var phi_1849_: bool;
-    var phi_1858_: vec3<f32>;
-    var phi_2023_: f32;
-    var phi_2025_: f32;
-    var phi_2026_: bool;
-    var phi_2046_: f32;
-    var phi_2047_: f32;
-    var phi_2070_: type_18;
-    var phi_2072_: type_18;
-    var phi_2073_: bool;
-    var phi_2077_: type_18;
-    var phi_2078_: type_18;
-    var phi_2079_: type_18;
-    var phi_2080_: bool;
-    var phi_2084_: type_18;
-    var phi_2085_: bool;
-    var phi_2086_: type_18;
-    var phi_2087_: bool;
-    var phi_2088_: bool;
-    var phi_2089_: type_18;
-    var phi_2090_: bool;
-    var phi_2091_: bool;
-    var phi_2099_: type_18;
-    var phi_2100_: bool;
-    var phi_2104_: type_18;
-    var phi_2116_: type_4;
-    var phi_2119_: type_18;
-    var phi_2117_: type_4;
-    var phi_2142_: type_4;
-    var phi_2174_: bool;
-    var phi_2175_: bool;
-    var phi_2196_: type_18;
-    var phi_2120_: type_18;
-    var phi_3438_: bool;
-    var phi_3803_: f32;
-    var phi_3802_: f32;
-    var phi_3601_: bool;
-    var phi_3801_: f32;
-    var phi_3600_: bool;
-    var phi_3800_: f32;
-    var phi_3599_: bool;
-    var phi_3712_: f32;
+    var phi_981_: i32;
+    var phi_1003_: u32;
+    var phi_1004_: u32;
+    var phi_1012_: f32;
+    var phi_1013_: f32;
+    var phi_3910_: bool;
+    var phi_3830_: f32;
+    var phi_1139_: type_52;
+    var phi_1142_: u32;
+    var phi_1144_: bool;
+    var phi_1146_: u32;
+    var phi_1157_: bool;
+    var phi_1244_: type_52;
+    var phi_1245_: bool;
+    var phi_1246_: u32;
+    var phi_2546_: type_39;
+    var phi_3403_: type_52;
+    var phi_3480_: type_52;
+    var phi_3481_: type_52;
+    var phi_3482_: u32;
+    var phi_3484_: type_52;
+    var phi_3485_: u32;
+    var phi_3486_: bool;
+    var phi_3493_: type_52;
+    var phi_3498_: type_52;
+    var phi_3499_: bool;
+    var phi_3907_: bool;
+    var phi_3879_: f32;
+    var phi_1265_: type_4;
+    var phi_1266_: type_4;
+    var phi_1289_: type_4;
+    var phi_1314_: u32;
+    var phi_1330_: type_46;
+    var phi_1725_: bool;
+    var phi_1754_: bool;
+    var phi_2131_: f32;
+    var phi_2132_: f32;
+    var phi_2133_: f32;
+    var phi_2134_: f32;
+    var phi_2135_: vec3<f32>;
+    var phi_2136_: vec3<f32>;
+    var phi_2137_: vec3<f32>;
+    var phi_2138_: vec3<f32>;
+    var phi_2169_: bool;
+    var phi_2178_: vec3<f32>;
+    var phi_2343_: f32;
+    var phi_2345_: f32;
+    var phi_2346_: bool;
+    var phi_2366_: f32;
+    var phi_2367_: f32;
+    var phi_2390_: type_18;
+    var phi_2392_: type_18;
+    var phi_2393_: bool;
+    var phi_2397_: type_18;
+    var phi_2398_: type_18;
+    var phi_2399_: type_18;
+    var phi_2400_: bool;
+    var phi_2404_: type_18;
+    var phi_2405_: bool;
+    var phi_2406_: type_18;
+    var phi_2407_: bool;
+    var phi_2408_: bool;
+    var phi_2409_: type_18;
+    var phi_2410_: bool;
+    var phi_2411_: bool;
+    var phi_2419_: type_18;
+    var phi_2420_: bool;
+    var phi_2424_: type_18;
+    var phi_2436_: type_4;
+    var phi_2439_: type_18;
+    var phi_2437_: type_4;
+    var phi_2462_: type_4;
+    var phi_2494_: bool;
+    var phi_2495_: bool;
+    var phi_2516_: type_18;
+    var phi_2440_: type_18;
+    var phi_3880_: bool;
+    var phi_4274_: f32;
+    var phi_4273_: f32;
+    var phi_4061_: bool;
+    var phi_4272_: f32;
+    var phi_4060_: bool;
+    var phi_4271_: f32;
+    var phi_4059_: bool;
+    var phi_4183_: f32;
+    var phi_4058_: bool;
+    var phi_4148_: f32;
+    var phi_4067_: bool;
+    var phi_3501_: type_52;
+    var phi_3502_: bool;
+    var phi_3503_: u32;
+    var phi_4147_: f32;
+    var phi_4066_: bool;
+    var phi_3504_: type_52;
+    var phi_3505_: u32;
+    var phi_3506_: bool;
+    var phi_3507_: u32;
+    var phi_4146_: f32;
+    var phi_4065_: bool;
+    var phi_3508_: type_52;
+    var phi_3509_: u32;
+    var phi_3510_: bool;
+    var phi_3511_: u32;
+    var phi_4145_: f32;
+    var phi_4064_: bool;
+    var phi_1140_: type_52;
+    var phi_1143_: u32;
+    var phi_1145_: bool;
+    var phi_1147_: u32;
+    var phi_3512_: bool;
+    var phi_4063_: bool;
+    var phi_3519_: type_4;
+    var phi_3520_: type_4;
+    var phi_3543_: type_4;
+    var phi_3595_: f32;
+    var phi_3597_: f32;
     var phi_3598_: bool;
-    var phi_3677_: f32;
-    var phi_3607_: bool;
-    var phi_3157_: type_52;
-    var phi_3158_: bool;
-    var phi_3159_: u32;
-    var phi_3676_: f32;
-    var phi_3606_: bool;
-    var phi_3160_: type_52;
-    var phi_3161_: u32;
-    var phi_3162_: bool;
-    var phi_3163_: u32;
-    var phi_3675_: f32;
-    var phi_3605_: bool;
-    var phi_3164_: type_52;
-    var phi_3165_: u32;
-    var phi_3166_: bool;
-    var phi_3167_: u32;
-    var phi_3674_: f32;
-    var phi_3604_: bool;
-    var phi_838_: type_52;
-    var phi_841_: u32;
-    var phi_843_: bool;
-    var phi_845_: u32;
-    var phi_3168_: bool;
-    var phi_3603_: bool;
-    var phi_3175_: type_4;
-    var phi_3176_: type_4;
-    var phi_3199_: type_4;
-    var phi_3265_: type_18;
-    var phi_3667_: bool;
+    var phi_3599_: f32;
+    var phi_3600_: bool;
+    var phi_3739_: u32;
+    var phi_3757_: bool;
+    var phi_3760_: bool;
+    var phi_3773_: f32;
+    var phi_3774_: f32;
+    var phi_3779_: f32;
+    var phi_3780_: f32;
+    var phi_3781_: bool;
+    var phi_3789_: f32;
+    var phi_3615_: f32;
+    var phi_3616_: f32;
+    var phi_3628_: f32;
+    var phi_3633_: type_18;
+    var phi_4127_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e79 = global;
-            let _e82 = arrayLength((&global_4.member));
-            let _e93 = global_2.member[0u][0u];
-            let _e97 = global_2.member[0u][1u];
-            let _e101 = global_2.member[0u][2u];
-            let _e105 = global_2.member[1u][0u];
-            let _e109 = global_2.member[1u][1u];
-            let _e113 = global_2.member[1u][2u];
-            let _e117 = global_2.member[1u][3u];
-            let _e120 = global_1.member[0u];
-            let _e121 = bitcast<i32>(_e120);
-            let _e131 = (_e79.x + (_e79.y * 2097152u));
-            let _e132 = (_e131 < arrayLength((&global_3.member)));
-            if _e132 {
-                let _e133 = (_e131 < arrayLength((&global_5.member)));
-                if _e133 {
-                    if _e132 {
+            let _e85 = global;
+            let _e88 = arrayLength((&global_4.member));
+            let _e99 = global_2.member[0u][0u];
+            let _e103 = global_2.member[0u][1u];
+            let _e107 = global_2.member[0u][2u];
+            let _e111 = global_2.member[1u][0u];
+            let _e115 = global_2.member[1u][1u];
+            let _e119 = global_2.member[1u][2u];
+            let _e123 = global_2.member[1u][3u];
+            let _e126 = global_1.member[0u];
+            let _e127 = bitcast<i32>(_e126);
+            let _e137 = (_e85.x + (_e85.y * 2097152u));
+            let _e138 = (_e137 < arrayLength((&global_3.member)));
+            if _e138 {
+                let _e139 = (_e137 < arrayLength((&global_5.member)));
+                if _e139 {
+                    if _e138 {
                     } else {
                         break;
                     }
-                    let _e141 = global_3.member[_e131].member_2[0u];
-                    let _e143 = (bitcast<u32>(_e141) & 2147483647u);
-                    let _e148 = global_3.member[_e131].member_2[1u];
-                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
-                    let _e155 = global_3.member[_e131].member_2[2u];
-                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
-                    let _e162 = global_3.member[_e131].member[0u];
-                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
-                    let _e169 = global_3.member[_e131].member[1u];
-                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
-                    let _e176 = global_3.member[_e131].member[2u];
-                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
-                    let _e180 = select(_e150, _e143, (_e150 < _e143));
-                    let _e182 = select(_e157, _e180, (_e157 < _e180));
-                    let _e184 = select(_e164, _e182, (_e164 < _e182));
-                    let _e186 = select(_e171, _e184, (_e171 < _e184));
-                    let _e188 = select(_e178, _e186, (_e178 < _e186));
-                    let _e192 = global_3.member[_e131].member_1;
-                    let _e194 = (bitcast<u32>(_e192) & 2147483647u);
-                    let _e201 = global_3.member[_e131].member_3;
-                    let _e207 = (((select(_e194, _e188, (_e194 < _e188)) < 2139095040u) && ((bitcast<u32>(_e201) & 2147483647u) <= 2139095040u)) && (_e182 > 0u));
-                    if _e207 {
-                        let _e210 = (bitcast<u32>(bitcast<f32>(_e182)) & 2147483647u);
-                        if (_e210 >= 8388608u) {
-                            phi_342_ = (bitcast<i32>((_e210 >> bitcast<u32>(23i))) - 127i);
+                    let _e147 = global_3.member[_e137].member_2[0u];
+                    let _e149 = (bitcast<u32>(_e147) & 2147483647u);
+                    let _e154 = global_3.member[_e137].member_2[1u];
+                    let _e156 = (bitcast<u32>(_e154) & 2147483647u);
+                    let _e161 = global_3.member[_e137].member_2[2u];
+                    let _e163 = (bitcast<u32>(_e161) & 2147483647u);
+                    let _e168 = global_3.member[_e137].member[0u];
+                    let _e170 = (bitcast<u32>(_e168) & 2147483647u);
+                    let _e175 = global_3.member[_e137].member[1u];
+                    let _e177 = (bitcast<u32>(_e175) & 2147483647u);
+                    let _e182 = global_3.member[_e137].member[2u];
+                    let _e184 = (bitcast<u32>(_e182) & 2147483647u);
+                    let _e186 = select(_e156, _e149, (_e156 < _e149));
+                    let _e188 = select(_e163, _e186, (_e163 < _e186));
+                    let _e190 = select(_e170, _e188, (_e170 < _e188));
+                    let _e192 = select(_e177, _e190, (_e177 < _e190));
+                    let _e194 = select(_e184, _e192, (_e184 < _e192));
+                    let _e198 = global_3.member[_e137].member_1;
+                    let _e199 = bitcast<u32>(_e198);
+                    let _e200 = (_e199 & 2147483647u);
+                    let _e207 = global_3.member[_e137].member_3;
+                    let _e208 = bitcast<u32>(_e207);
+                    let _e209 = (_e208 & 2147483647u);
+                    let _e213 = (((select(_e200, _e194, (_e200 < _e194)) < 2139095040u) && (_e209 <= 2139095040u)) && (_e188 > 0u));
+                    if _e213 {
+                        let _e216 = (bitcast<u32>(bitcast<f32>(_e188)) & 2147483647u);
+                        if (_e216 >= 8388608u) {
+                            phi_424_ = (bitcast<i32>((_e216 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_342_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e210)), 32u, (_e210 == 0u))));
+                            phi_424_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e216)), 32u, (_e216 == 0u))));
                         }
-                        let _e224 = phi_342_;
-                        phi_343_ = _e224;
+                        let _e230 = phi_424_;
+                        phi_425_ = _e230;
                     } else {
-                        phi_343_ = 0i;
+                        phi_425_ = 0i;
                     }
-                    let _e226 = phi_343_;
-                    let _e227 = (_e143 == _e182);
-                    if _e227 {
-                        phi_353_ = true;
+                    let _e232 = phi_425_;
+                    let _e233 = (_e149 == _e188);
+                    if _e233 {
+                        phi_435_ = true;
                     } else {
-                        phi_353_ = (_e150 == _e182);
+                        phi_435_ = (_e156 == _e188);
                     }
-                    let _e230 = phi_353_;
-                    let _e231 = select(1u, 0u, _e227);
-                    if _e230 {
-                        let _e232 = (_e231 + 1u);
-                        phi_363_ = _e232;
-                        phi_364_ = _e232;
-                        phi_366_ = select(true, false, (_e232 == 2u));
+                    let _e236 = phi_435_;
+                    let _e237 = select(1u, 0u, _e233);
+                    if _e236 {
+                        let _e238 = (_e237 + 1u);
+                        phi_445_ = _e238;
+                        phi_446_ = _e238;
+                        phi_448_ = select(true, false, (_e238 == 2u));
                     } else {
-                        phi_363_ = u32();
-                        phi_364_ = 0u;
-                        phi_366_ = true;
+                        phi_445_ = u32();
+                        phi_446_ = 0u;
+                        phi_448_ = true;
                     }
-                    let _e236 = phi_363_;
-                    let _e238 = phi_364_;
-                    let _e240 = phi_366_;
-                    if _e240 {
-                        phi_371_ = (_e238 + 1u);
+                    let _e242 = phi_445_;
+                    let _e244 = phi_446_;
+                    let _e246 = phi_448_;
+                    if _e246 {
+                        phi_453_ = (_e244 + 1u);
                     } else {
-                        phi_371_ = 0u;
+                        phi_453_ = 0u;
                     }
-                    let _e244 = phi_371_;
-                    let _e245 = select(_e236, _e238, _e240);
-                    let _e246 = select(_e231, select(2u, _e231, _e230), _e240);
-                    if (_e121 < -126i) {
-                        phi_383_ = -126i;
+                    let _e250 = phi_453_;
+                    let _e251 = select(_e242, _e244, _e246);
+                    let _e252 = select(_e237, select(2u, _e237, _e236), _e246);
+                    if (_e127 < -126i) {
+                        phi_465_ = -126i;
                     } else {
-                        phi_383_ = select(_e121, 127i, (_e121 > 127i));
+                        phi_465_ = select(_e127, 127i, (_e127 > 127i));
                     }
-                    let _e251 = phi_383_;
-                    let _e256 = bitcast<f32>((bitcast<u32>((_e251 + 127i)) << bitcast<u32>(23i)));
-                    let _e262 = bitcast<f32>((bitcast<u32>(((_e121 - _e251) + 127i)) << bitcast<u32>(23i)));
-                    let _e263 = -(_e226);
-                    if (_e263 < -126i) {
-                        phi_403_ = -126i;
+                    let _e257 = phi_465_;
+                    let _e262 = bitcast<f32>((bitcast<u32>((_e257 + 127i)) << bitcast<u32>(23i)));
+                    let _e268 = bitcast<f32>((bitcast<u32>(((_e127 - _e257) + 127i)) << bitcast<u32>(23i)));
+                    let _e269 = -(_e232);
+                    if (_e269 < -126i) {
+                        phi_485_ = -126i;
                     } else {
-                        phi_403_ = select(_e263, 127i, (_e263 > 127i));
+                        phi_485_ = select(_e269, 127i, (_e269 > 127i));
                     }
-                    let _e268 = phi_403_;
-                    let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = bitcast<f32>((bitcast<u32>(((_e263 - _e268) + 127i)) << bitcast<u32>(23i)));
-                    let _e283 = global_3.member[_e131].member;
-                    let _e284 = (_e245 == 0u);
-                    if _e284 {
-                        phi_421_ = _e283[0];
+                    let _e274 = phi_485_;
+                    let _e279 = bitcast<f32>((bitcast<u32>((_e274 + 127i)) << bitcast<u32>(23i)));
+                    let _e285 = bitcast<f32>((bitcast<u32>(((_e269 - _e274) + 127i)) << bitcast<u32>(23i)));
+                    let _e289 = global_3.member[_e137].member;
+                    let _e290 = (_e251 == 0u);
+                    if _e290 {
+                        phi_503_ = _e289[0];
                     } else {
-                        phi_421_ = _e283[1];
+                        phi_503_ = _e289[1];
                     }
-                    let _e288 = phi_421_;
-                    let _e289 = (_e245 == 2u);
-                    if _e289 {
-                        phi_427_ = _e283[2];
+                    let _e294 = phi_503_;
+                    let _e295 = (_e251 == 2u);
+                    if _e295 {
+                        phi_509_ = _e289[2];
                     } else {
-                        phi_427_ = _e288;
+                        phi_509_ = _e294;
                     }
-                    let _e292 = phi_427_;
-                    let _e294 = ((_e292 * _e256) * _e262);
-                    let _e295 = global_3.member[_e131].member_2;
-                    if _e284 {
-                        phi_438_ = _e295[0];
+                    let _e298 = phi_509_;
+                    let _e299 = bitcast<u32>(_e298);
+                    let _e301 = ((_e299 & 2139095040u) != 0u);
+                    let _e315 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e299 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e299 & 2147483648u))), _e298, _e301) * _e262) * select(0.00000011920929f, 1f, _e301)) * _e268);
+                    let _e316 = global_3.member[_e137].member_2;
+                    if _e290 {
+                        phi_549_ = _e316[0];
                     } else {
-                        phi_438_ = _e295[1];
+                        phi_549_ = _e316[1];
                     }
-                    let _e299 = phi_438_;
-                    if _e289 {
-                        phi_444_ = _e295[2];
+                    let _e320 = phi_549_;
+                    if _e295 {
+                        phi_555_ = _e316[2];
                     } else {
-                        phi_444_ = _e299;
+                        phi_555_ = _e320;
                     }
-                    let _e302 = phi_444_;
-                    let _e304 = ((_e302 * _e273) * _e279);
-                    let _e308 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e308 {
-                        let _e312 = (bitcast<f32>((bitcast<u32>(_e294) & 2147483647u)) * 0.00000011920929f);
-                        phi_467_ = select(0.00000000000011368684f, _e312, (_e312 > 0.00000000000011368684f));
+                    let _e323 = phi_555_;
+                    let _e324 = bitcast<u32>(_e323);
+                    let _e326 = ((_e324 & 2139095040u) != 0u);
+                    let _e340 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e324 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e324 & 2147483648u))), _e323, _e326) * _e279) * select(0.00000011920929f, 1f, _e326)) * _e285);
+                    let _e344 = (bitcast<f32>((bitcast<u32>(_e340) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e344 {
+                        let _e348 = (bitcast<f32>((bitcast<u32>(_e315) & 2147483647u)) * 0.00000011920929f);
+                        phi_607_ = select(0.00000000000011368684f, _e348, (_e348 > 0.00000000000011368684f));
                     } else {
-                        phi_467_ = 0f;
+                        phi_607_ = 0f;
                     }
-                    let _e316 = phi_467_;
-                    let _e317 = (_e294 + _e316);
-                    let _e318 = (_e294 - _e316);
-                    let _e319 = select(_e304, 0f, _e308);
-                    if _e308 {
-                        phi_478_ = 38685626000000000000000000f;
+                    let _e352 = phi_607_;
+                    let _e353 = (_e315 + _e352);
+                    let _e354 = (_e315 - _e352);
+                    let _e355 = select(_e340, 0f, _e344);
+                    if _e344 {
+                        phi_618_ = 38685626000000000000000000f;
                     } else {
-                        phi_478_ = (1f / _e304);
+                        phi_618_ = (1f / _e340);
                     }
-                    let _e322 = phi_478_;
-                    let _e323 = (_e244 == 0u);
-                    if _e323 {
-                        phi_487_ = _e283[0];
+                    let _e358 = phi_618_;
+                    let _e359 = (_e250 == 0u);
+                    if _e359 {
+                        phi_627_ = _e289[0];
                     } else {
-                        phi_487_ = _e283[1];
+                        phi_627_ = _e289[1];
                     }
-                    let _e327 = phi_487_;
-                    let _e328 = (_e244 == 2u);
-                    if _e328 {
-                        phi_493_ = _e283[2];
+                    let _e363 = phi_627_;
+                    let _e364 = (_e250 == 2u);
+                    if _e364 {
+                        phi_633_ = _e289[2];
                     } else {
-                        phi_493_ = _e327;
+                        phi_633_ = _e363;
                     }
-                    let _e331 = phi_493_;
-                    let _e333 = ((_e331 * _e256) * _e262);
-                    if _e323 {
-                        phi_504_ = _e295[0];
+                    let _e367 = phi_633_;
+                    let _e368 = bitcast<u32>(_e367);
+                    let _e370 = ((_e368 & 2139095040u) != 0u);
+                    let _e384 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e368 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e368 & 2147483648u))), _e367, _e370) * _e262) * select(0.00000011920929f, 1f, _e370)) * _e268);
+                    if _e359 {
+                        phi_673_ = _e316[0];
                     } else {
-                        phi_504_ = _e295[1];
+                        phi_673_ = _e316[1];
                     }
-                    let _e337 = phi_504_;
-                    if _e328 {
-                        phi_510_ = _e295[2];
+                    let _e388 = phi_673_;
+                    if _e364 {
+                        phi_679_ = _e316[2];
                     } else {
-                        phi_510_ = _e337;
+                        phi_679_ = _e388;
                     }
-                    let _e340 = phi_510_;
-                    let _e342 = ((_e340 * _e273) * _e279);
-                    let _e346 = (bitcast<f32>((bitcast<u32>(_e342) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e346 {
-                        let _e350 = (bitcast<f32>((bitcast<u32>(_e333) & 2147483647u)) * 0.00000011920929f);
-                        phi_533_ = select(0.00000000000011368684f, _e350, (_e350 > 0.00000000000011368684f));
+                    let _e391 = phi_679_;
+                    let _e392 = bitcast<u32>(_e391);
+                    let _e394 = ((_e392 & 2139095040u) != 0u);
+                    let _e408 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e392 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e392 & 2147483648u))), _e391, _e394) * _e279) * select(0.00000011920929f, 1f, _e394)) * _e285);
+                    let _e412 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e412 {
+                        let _e416 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) * 0.00000011920929f);
+                        phi_731_ = select(0.00000000000011368684f, _e416, (_e416 > 0.00000000000011368684f));
                     } else {
-                        phi_533_ = 0f;
+                        phi_731_ = 0f;
                     }
-                    let _e354 = phi_533_;
-                    let _e355 = (_e333 + _e354);
-                    let _e356 = (_e333 - _e354);
-                    let _e357 = select(_e342, 0f, _e346);
-                    if _e346 {
-                        phi_544_ = 38685626000000000000000000f;
+                    let _e420 = phi_731_;
+                    let _e421 = (_e384 + _e420);
+                    let _e422 = (_e384 - _e420);
+                    let _e423 = select(_e408, 0f, _e412);
+                    if _e412 {
+                        phi_742_ = 38685626000000000000000000f;
                     } else {
-                        phi_544_ = (1f / _e342);
+                        phi_742_ = (1f / _e408);
                     }
-                    let _e360 = phi_544_;
-                    let _e361 = (_e246 == 0u);
-                    if _e361 {
-                        phi_553_ = _e283[0];
+                    let _e426 = phi_742_;
+                    let _e427 = (_e252 == 0u);
+                    if _e427 {
+                        phi_751_ = _e289[0];
                     } else {
-                        phi_553_ = _e283[1];
+                        phi_751_ = _e289[1];
                     }
-                    let _e365 = phi_553_;
-                    let _e366 = (_e246 == 2u);
-                    if _e366 {
-                        phi_559_ = _e283[2];
+                    let _e431 = phi_751_;
+                    let _e432 = (_e252 == 2u);
+                    if _e432 {
+                        phi_757_ = _e289[2];
                     } else {
-                        phi_559_ = _e365;
+                        phi_757_ = _e431;
                     }
-                    let _e369 = phi_559_;
-                    let _e371 = ((_e369 * _e256) * _e262);
-                    if _e361 {
-                        phi_570_ = _e295[0];
+                    let _e435 = phi_757_;
+                    let _e436 = bitcast<u32>(_e435);
+                    let _e438 = ((_e436 & 2139095040u) != 0u);
+                    let _e452 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e436 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e436 & 2147483648u))), _e435, _e438) * _e262) * select(0.00000011920929f, 1f, _e438)) * _e268);
+                    if _e427 {
+                        phi_797_ = _e316[0];
                     } else {
-                        phi_570_ = _e295[1];
+                        phi_797_ = _e316[1];
                     }
-                    let _e375 = phi_570_;
-                    if _e366 {
-                        phi_576_ = _e295[2];
+                    let _e456 = phi_797_;
+                    if _e432 {
+                        phi_803_ = _e316[2];
                     } else {
-                        phi_576_ = _e375;
+                        phi_803_ = _e456;
                     }
-                    let _e378 = phi_576_;
-                    let _e380 = ((_e378 * _e273) * _e279);
-                    let _e384 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e384 {
-                        let _e388 = (bitcast<f32>((bitcast<u32>(_e371) & 2147483647u)) * 0.00000011920929f);
-                        phi_599_ = select(0.00000000000011368684f, _e388, (_e388 > 0.00000000000011368684f));
+                    let _e459 = phi_803_;
+                    let _e460 = bitcast<u32>(_e459);
+                    let _e462 = ((_e460 & 2139095040u) != 0u);
+                    let _e476 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e460 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e460 & 2147483648u))), _e459, _e462) * _e279) * select(0.00000011920929f, 1f, _e462)) * _e285);
+                    let _e480 = (bitcast<f32>((bitcast<u32>(_e476) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e480 {
+                        let _e484 = (bitcast<f32>((bitcast<u32>(_e452) & 2147483647u)) * 0.00000011920929f);
+                        phi_855_ = select(0.00000000000011368684f, _e484, (_e484 > 0.00000000000011368684f));
                     } else {
-                        phi_599_ = 0f;
+                        phi_855_ = 0f;
                     }
-                    let _e392 = phi_599_;
-                    let _e393 = (_e371 + _e392);
-                    let _e394 = (_e371 - _e392);
-                    let _e395 = select(_e380, 0f, _e384);
-                    if _e384 {
-                        phi_610_ = 38685626000000000000000000f;
+                    let _e488 = phi_855_;
+                    let _e489 = (_e452 + _e488);
+                    let _e490 = (_e452 - _e488);
+                    let _e491 = select(_e476, 0f, _e480);
+                    if _e480 {
+                        phi_866_ = 38685626000000000000000000f;
                     } else {
-                        phi_610_ = (1f / _e380);
+                        phi_866_ = (1f / _e476);
                     }
-                    let _e398 = phi_610_;
-                    let _e401 = bitcast<f32>((bitcast<u32>(_e294) & 2147483647u));
-                    let _e404 = bitcast<f32>((bitcast<u32>(_e333) & 2147483647u));
-                    let _e406 = select(_e404, _e401, (_e401 > _e404));
-                    let _e409 = bitcast<f32>((bitcast<u32>(_e371) & 2147483647u));
-                    let _e412 = (_e121 + _e226);
-                    if (_e207 && (select(_e409, _e406, (_e406 > _e409)) <= 1099511600000f)) {
-                        let _e415 = (_e412 / 3i);
-                        let _e422 = bitcast<f32>((bitcast<u32>((_e415 + 127i)) << bitcast<u32>(23i)));
-                        let _e429 = bitcast<f32>((bitcast<u32>(((_e412 - (2i * _e415)) + 127i)) << bitcast<u32>(23i)));
-                        let _e430 = (((_e192 * _e422) * _e422) * _e429);
-                        let _e432 = select(340282350000000000000000000000000000000f, _e430, (_e430 < 340282350000000000000000000000000000000f));
-                        let _e437 = (((_e201 * _e422) * _e422) * _e429);
-                        let _e439 = select(340282350000000000000000000000000000000f, _e437, (_e437 < 340282350000000000000000000000000000000f));
-                        phi_710_ = select(-340282350000000000000000000000000000000f, _e439, (_e439 > -340282350000000000000000000000000000000f));
-                        phi_711_ = select(-340282350000000000000000000000000000000f, _e432, (_e432 > -340282350000000000000000000000000000000f));
+                    let _e494 = phi_866_;
+                    let _e497 = bitcast<f32>((bitcast<u32>(_e315) & 2147483647u));
+                    let _e500 = bitcast<f32>((bitcast<u32>(_e384) & 2147483647u));
+                    let _e502 = select(_e500, _e497, (_e497 > _e500));
+                    let _e505 = bitcast<f32>((bitcast<u32>(_e452) & 2147483647u));
+                    let _e508 = (_e127 + _e232);
+                    if (_e213 && (select(_e505, _e502, (_e502 > _e505)) <= 1099511600000f)) {
+                        let _e518 = ((_e200 & 8388607u) | (select(0u, 1u, ((_e200 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e521 = bitcast<i32>((_e200 >> bitcast<u32>(23i)));
+                        let _e525 = (_e518 == 0u);
+                        let _e528 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e518)), 32u, _e525)) - 8i);
+                        if (_e521 == 255i) {
+                            phi_921_ = 255i;
+                        } else {
+                            phi_921_ = (((_e521 + select(0i, 1i, (_e521 == 0i))) - _e528) + _e508);
+                        }
+                        let _e536 = phi_921_;
+                        let _e546 = (_e536 <= 0i);
+                        if _e546 {
+                            phi_944_ = u32();
+                        } else {
+                            if _e525 {
+                                phi_943_ = u32();
+                            } else {
+                                phi_943_ = select(((bitcast<u32>(_e536) << bitcast<u32>(23i)) | ((_e518 << bitcast<u32>(((_e528 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e536 >= 255i));
+                            }
+                            let _e550 = phi_943_;
+                            phi_944_ = _e550;
+                        }
+                        let _e552 = phi_944_;
+                        let _e564 = ((_e209 & 8388607u) | (select(0u, 1u, ((_e209 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e567 = bitcast<i32>((_e209 >> bitcast<u32>(23i)));
+                        let _e571 = (_e564 == 0u);
+                        let _e574 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e564)), 32u, _e571)) - 8i);
+                        if (_e567 == 255i) {
+                            phi_981_ = 255i;
+                        } else {
+                            phi_981_ = (((_e567 + select(0i, 1i, (_e567 == 0i))) - _e574) + _e508);
+                        }
+                        let _e582 = phi_981_;
+                        let _e592 = (_e582 <= 0i);
+                        if _e592 {
+                            phi_1004_ = u32();
+                        } else {
+                            if _e571 {
+                                phi_1003_ = u32();
+                            } else {
+                                phi_1003_ = select(((bitcast<u32>(_e582) << bitcast<u32>(23i)) | ((_e564 << bitcast<u32>(((_e574 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e582 >= 255i));
+                            }
+                            let _e596 = phi_1003_;
+                            phi_1004_ = _e596;
+                        }
+                        let _e598 = phi_1004_;
+                        phi_1012_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e598, 0u, select(_e571, true, _e592))));
+                        phi_1013_ = bitcast<f32>(((_e199 & 2147483648u) | select(_e552, 0u, select(_e525, true, _e546))));
                     } else {
-                        phi_710_ = 0f;
-                        phi_711_ = 1f;
+                        phi_1012_ = 0f;
+                        phi_1013_ = 1f;
                     }
-                    let _e443 = phi_710_;
-                    let _e445 = phi_711_;
+                    let _e604 = phi_1012_;
+                    let _e606 = phi_1013_;
                     local_7 = array<type_18, 8>(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -499,961 +576,1060 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_8 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_10 = array<f32, 3>(bitcast<f32>(_e93), bitcast<f32>(_e97), bitcast<f32>(_e101));
-                    let _e449 = (_e245 % 3u);
-                    let _e450 = (_e449 < 3u);
-                    if _e450 {
+                    local_10 = array<f32, 3>(bitcast<f32>(_e99), bitcast<f32>(_e103), bitcast<f32>(_e107));
+                    let _e610 = (_e251 % 3u);
+                    let _e611 = (_e610 < 3u);
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e452 = local_10[_e449];
-                    let _e453 = (_e244 % 3u);
-                    let _e454 = (_e453 < 3u);
-                    if _e454 {
+                    let _e613 = local_10[_e610];
+                    let _e614 = (_e250 % 3u);
+                    let _e615 = (_e614 < 3u);
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e456 = local_10[_e453];
-                    let _e457 = (_e246 % 3u);
-                    let _e458 = (_e457 < 3u);
-                    if _e458 {
+                    let _e617 = local_10[_e614];
+                    let _e618 = (_e252 % 3u);
+                    let _e619 = (_e618 < 3u);
+                    if _e619 {
                     } else {
                         break;
                     }
-                    let _e460 = local_10[_e457];
-                    local_9 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
-                    if _e450 {
+                    let _e621 = local_10[_e618];
+                    local_9 = array<f32, 3>(bitcast<f32>(_e111), bitcast<f32>(_e115), bitcast<f32>(_e119));
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e464 = local_9[_e449];
-                    if _e454 {
+                    let _e625 = local_9[_e610];
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e466 = local_9[_e453];
-                    if _e458 {
+                    let _e627 = local_9[_e614];
+                    if _e619 {
                     } else {
                         break;
                     }
-                    let _e468 = local_9[_e457];
-                    phi_3468_ = false;
-                    phi_3388_ = _e443;
-                    phi_837_ = type_52(type_44(array<f32, 3>(_e452, _e456, _e460), array<f32, 3>(_e464, _e466, _e468)), select(0u, 2147483648u, (_e82 == 0u)));
-                    phi_840_ = ((3u * _e82) + 1u);
-                    phi_842_ = (_e445 <= _e443);
-                    phi_844_ = 0u;
+                    let _e629 = local_9[_e618];
+                    phi_3910_ = false;
+                    phi_3830_ = _e604;
+                    phi_1139_ = type_52(type_44(array<f32, 3>(_e613, _e617, _e621), array<f32, 3>(_e625, _e627, _e629)), select(0u, 2147483648u, (_e88 == 0u)));
+                    phi_1142_ = ((3u * _e88) + 1u);
+                    phi_1144_ = (_e606 <= _e604);
+                    phi_1146_ = 0u;
                     loop {
-                        let _e476 = phi_3468_;
-                        let _e478 = phi_3388_;
-                        let _e480 = phi_837_;
-                        let _e482 = phi_840_;
-                        let _e484 = phi_842_;
-                        let _e486 = phi_844_;
-                        if _e484 {
-                            phi_855_ = true;
+                        let _e637 = phi_3910_;
+                        let _e639 = phi_3830_;
+                        let _e641 = phi_1139_;
+                        let _e643 = phi_1142_;
+                        let _e645 = phi_1144_;
+                        let _e647 = phi_1146_;
+                        if _e645 {
+                            phi_1157_ = true;
                         } else {
-                            phi_855_ = (_e486 > 0u);
+                            phi_1157_ = (_e647 > 0u);
                         }
-                        let _e489 = phi_855_;
-                        if _e489 {
-                            let _e490 = (_e482 > 0u);
-                            if _e490 {
-                                if _e484 {
-                                    phi_942_ = _e480;
-                                    phi_943_ = _e484;
-                                    phi_944_ = _e486;
+                        let _e650 = phi_1157_;
+                        if _e650 {
+                            let _e651 = (_e643 > 0u);
+                            if _e651 {
+                                if _e645 {
+                                    phi_1244_ = _e641;
+                                    phi_1245_ = _e645;
+                                    phi_1246_ = _e647;
                                 } else {
-                                    let _e491 = (_e486 - 1u);
-                                    let _e492 = (_e491 % 128u);
-                                    let _e493 = (_e492 < 128u);
-                                    if _e493 {
+                                    let _e652 = (_e647 - 1u);
+                                    let _e653 = (_e652 % 128u);
+                                    let _e654 = (_e653 < 128u);
+                                    if _e654 {
                                     } else {
-                                        phi_3603_ = true;
+                                        phi_4063_ = true;
                                         break;
                                     }
-                                    let _e495 = local_6[_e492];
-                                    if _e493 {
+                                    let _e656 = local_6[_e653];
+                                    if _e654 {
                                     } else {
-                                        phi_3603_ = true;
+                                        phi_4063_ = true;
                                         break;
                                     }
-                                    let _e497 = local_5[_e492];
-                                    if _e493 {
+                                    let _e658 = local_5[_e653];
+                                    if _e654 {
                                     } else {
-                                        phi_3603_ = true;
+                                        phi_4063_ = true;
                                         break;
                                     }
-                                    let _e499 = local_4[_e492];
-                                    if _e493 {
+                                    let _e660 = local_4[_e653];
+                                    if _e654 {
                                     } else {
-                                        phi_3603_ = true;
+                                        phi_4063_ = true;
                                         break;
                                     }
-                                    let _e501 = local_3[_e492];
-                                    if _e493 {
+                                    let _e662 = local_3[_e653];
+                                    if _e654 {
                                     } else {
-                                        phi_3603_ = true;
+                                        phi_4063_ = true;
                                         break;
                                     }
-                                    let _e504 = local_2[_e492];
-                                    if _e493 {
+                                    let _e665 = local_2[_e653];
+                                    if _e654 {
                                     } else {
-                                        phi_3603_ = true;
+                                        phi_4063_ = true;
                                         break;
                                     }
-                                    let _e506 = local_1[_e492];
-                                    if _e493 {
+                                    let _e667 = local_1[_e653];
+                                    if _e654 {
                                     } else {
-                                        phi_3603_ = true;
+                                        phi_4063_ = true;
                                         break;
                                     }
-                                    let _e508 = local[_e492];
-                                    if _e493 {
+                                    let _e669 = local[_e653];
+                                    if _e654 {
                                     } else {
-                                        phi_3603_ = true;
+                                        phi_4063_ = true;
                                         break;
                                     }
-                                    let _e513 = local_8[_e492];
-                                    phi_942_ = type_52(type_44(array<f32, 3>(_e497, _e499, _e501), array<f32, 3>(_e504, _e506, _e508)), _e495);
-                                    phi_943_ = (_e513 <= _e478);
-                                    phi_944_ = _e491;
+                                    let _e674 = local_8[_e653];
+                                    phi_1244_ = type_52(type_44(array<f32, 3>(_e658, _e660, _e662), array<f32, 3>(_e665, _e667, _e669)), _e656);
+                                    phi_1245_ = (_e674 <= _e639);
+                                    phi_1246_ = _e652;
                                 }
-                                let _e516 = phi_942_;
-                                let _e518 = phi_943_;
-                                let _e520 = phi_944_;
-                                if _e518 {
-                                    if ((_e516.member_1 & 2147483648u) != 0u) {
-                                        phi_3465_ = _e476;
-                                        phi_3437_ = _e478;
-                                        phi_963_ = type_4(0u, ((_e516.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e677 = phi_1244_;
+                                let _e679 = phi_1245_;
+                                let _e681 = phi_1246_;
+                                if _e679 {
+                                    if ((_e677.member_1 & 2147483648u) != 0u) {
+                                        phi_3907_ = _e637;
+                                        phi_3879_ = _e639;
+                                        phi_1265_ = type_4(0u, ((_e677.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e872 = phi_3465_;
-                                            let _e874 = phi_3437_;
-                                            let _e876 = phi_963_;
-                                            if (_e876.member < _e876.member_1) {
-                                                phi_964_ = type_4((_e876.member + 1u), _e876.member_1);
-                                                phi_987_ = type_4(1u, _e876.member);
+                                            let _e1057 = phi_3907_;
+                                            let _e1059 = phi_3879_;
+                                            let _e1061 = phi_1265_;
+                                            if (_e1061.member < _e1061.member_1) {
+                                                phi_1266_ = type_4((_e1061.member + 1u), _e1061.member_1);
+                                                phi_1289_ = type_4(1u, _e1061.member);
                                             } else {
-                                                phi_964_ = _e876;
-                                                phi_987_ = type_4(0u, type_4().member_1);
+                                                phi_1266_ = _e1061;
+                                                phi_1289_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e889 = phi_964_;
-                                            let _e891 = phi_987_;
-                                            let _e895 = (bitcast<i32>(_e891.member) != 0i);
-                                            if _e895 {
-                                                let _e896 = ((_e516.member_1 & 268435455u) + _e891.member_1);
-                                                let _e897 = (_e896 < arrayLength((&global_6.member)));
-                                                if _e897 {
-                                                    if _e897 {
+                                            let _e1074 = phi_1266_;
+                                            let _e1076 = phi_1289_;
+                                            let _e1080 = (bitcast<i32>(_e1076.member) != 0i);
+                                            if _e1080 {
+                                                let _e1081 = ((_e677.member_1 & 268435455u) + _e1076.member_1);
+                                                let _e1082 = (_e1081 < arrayLength((&global_6.member)));
+                                                if _e1082 {
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_3712_ = _e874;
-                                                        phi_3598_ = true;
+                                                        phi_4183_ = _e1059;
+                                                        phi_4058_ = true;
                                                         break;
                                                     }
-                                                    let _e900 = global_6.member[_e896].member_1;
-                                                    phi_1012_ = _e900;
+                                                    let _e1085 = global_6.member[_e1081].member_1;
+                                                    phi_1314_ = _e1085;
                                                 } else {
-                                                    phi_1012_ = 4294967295u;
+                                                    phi_1314_ = 4294967295u;
                                                 }
-                                                let _e902 = phi_1012_;
-                                                if _e897 {
-                                                    if _e897 {
+                                                let _e1087 = phi_1314_;
+                                                if _e1082 {
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_3712_ = _e874;
-                                                        phi_3598_ = true;
+                                                        phi_4183_ = _e1059;
+                                                        phi_4058_ = true;
                                                         break;
                                                     }
-                                                    let _e904 = global_6.member[_e896];
-                                                    phi_1028_ = _e904;
+                                                    let _e1089 = global_6.member[_e1081];
+                                                    phi_1330_ = _e1089;
                                                 } else {
-                                                    phi_1028_ = type_46(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1330_ = type_46(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e906 = phi_1028_;
-                                                let _e918 = ((10u * _e245) & 31u);
-                                                let _e921 = ((_e906.member[0] >> bitcast<u32>(_e918)) & 1023u);
-                                                let _e926 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[0] - _e516.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                                let _e932 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e921) * _e926)) ^ _e117)));
-                                                let _e936 = select(select(_e516.member.member_1[0], _e932, (_e932 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e921 == 1023u));
-                                                let _e938 = ((10u * _e244) & 31u);
-                                                let _e941 = ((_e906.member[0] >> bitcast<u32>(_e938)) & 1023u);
-                                                let _e946 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[1] - _e516.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                                let _e952 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e941) * _e946)) ^ _e117)));
-                                                let _e956 = select(select(_e516.member.member_1[1], _e952, (_e952 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e941 == 1023u));
-                                                let _e958 = ((10u * _e246) & 31u);
-                                                let _e961 = ((_e906.member[0] >> bitcast<u32>(_e958)) & 1023u);
-                                                let _e966 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[2] - _e516.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                                let _e972 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e961) * _e966)) ^ _e117)));
-                                                let _e976 = select(select(_e516.member.member_1[2], _e972, (_e972 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e961 == 1023u));
-                                                let _e980 = ((_e906.member[1] >> bitcast<u32>(_e918)) & 1023u);
-                                                let _e986 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e980) * _e926)) ^ _e117)));
-                                                let _e990 = select(select(_e516.member.member_1[0], _e986, (_e986 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e980 == 1023u));
-                                                let _e993 = ((_e906.member[1] >> bitcast<u32>(_e938)) & 1023u);
-                                                let _e999 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e993) * _e946)) ^ _e117)));
-                                                let _e1003 = select(select(_e516.member.member_1[1], _e999, (_e999 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e993 == 1023u));
-                                                let _e1006 = ((_e906.member[1] >> bitcast<u32>(_e958)) & 1023u);
-                                                let _e1012 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1006) * _e966)) ^ _e117)));
-                                                let _e1016 = select(select(_e516.member.member_1[2], _e1012, (_e1012 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e1006 == 1023u));
-                                                let _e1020 = ((_e906.member[2] >> bitcast<u32>(_e918)) & 1023u);
-                                                let _e1026 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1020) * _e926)) ^ _e117)));
-                                                let _e1030 = select(select(_e516.member.member_1[0], _e1026, (_e1026 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e1020 == 1023u));
-                                                let _e1033 = ((_e906.member[2] >> bitcast<u32>(_e938)) & 1023u);
-                                                let _e1039 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1033) * _e946)) ^ _e117)));
-                                                let _e1043 = select(select(_e516.member.member_1[1], _e1039, (_e1039 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e1033 == 1023u));
-                                                let _e1046 = ((_e906.member[2] >> bitcast<u32>(_e958)) & 1023u);
-                                                let _e1052 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1046) * _e966)) ^ _e117)));
-                                                let _e1056 = select(select(_e516.member.member_1[2], _e1052, (_e1052 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e1046 == 1023u));
-                                                let _e1059 = (_e976 - _e371);
-                                                let _e1062 = (((_e936 - _e294) * _e395) - (_e1059 * _e319));
-                                                let _e1065 = (((_e956 - _e333) * _e395) - (_e1059 * _e357));
-                                                let _e1068 = (_e1016 - _e371);
-                                                let _e1071 = (((_e990 - _e294) * _e395) - (_e1068 * _e319));
-                                                let _e1074 = (((_e1003 - _e333) * _e395) - (_e1068 * _e357));
-                                                let _e1077 = (_e1056 - _e371);
-                                                let _e1080 = (((_e1030 - _e294) * _e395) - (_e1077 * _e319));
-                                                let _e1083 = (((_e1043 - _e333) * _e395) - (_e1077 * _e357));
-                                                let _e1084 = (_e1080 * _e1074);
-                                                let _e1085 = (_e1083 * _e1071);
-                                                let _e1086 = (_e1062 * _e1083);
-                                                let _e1087 = (_e1065 * _e1080);
-                                                let _e1088 = (_e1071 * _e1065);
-                                                let _e1089 = (_e1074 * _e1062);
-                                                let _e1094 = (((_e1084 >= _e1085) && (_e1086 >= _e1087)) && (_e1088 >= _e1089));
-                                                if (_e1094 || (((_e1084 <= _e1085) && (_e1086 <= _e1087)) && (_e1088 <= _e1089))) {
-                                                    let _e1101 = select(-1f, 1f, _e1094);
-                                                    let _e1103 = ((_e1084 - _e1085) * _e1101);
-                                                    let _e1105 = select(0f, _e1103, (_e1103 > 0f));
-                                                    let _e1107 = ((_e1086 - _e1087) * _e1101);
-                                                    let _e1109 = select(0f, _e1107, (_e1107 > 0f));
-                                                    let _e1111 = ((_e1088 - _e1089) * _e1101);
-                                                    let _e1113 = select(0f, _e1111, (_e1111 > 0f));
-                                                    let _e1115 = ((_e1105 + _e1109) + _e1113);
-                                                    if (_e1115 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2089_ = type_18();
-                                                        phi_2090_ = true;
-                                                        phi_2091_ = false;
+                                                let _e1091 = phi_1330_;
+                                                let _e1103 = ((10u * _e251) & 31u);
+                                                let _e1106 = ((_e1091.member[0] >> bitcast<u32>(_e1103)) & 1023u);
+                                                let _e1114 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e123));
+                                                let _e1119 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1106)) - 8388608f) * _e1114)) ^ _e123)));
+                                                let _e1123 = select(select(_e677.member.member_1[0], _e1119, (_e1119 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1106 == 1023u));
+                                                let _e1125 = ((10u * _e250) & 31u);
+                                                let _e1128 = ((_e1091.member[0] >> bitcast<u32>(_e1125)) & 1023u);
+                                                let _e1136 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e123));
+                                                let _e1141 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1128)) - 8388608f) * _e1136)) ^ _e123)));
+                                                let _e1145 = select(select(_e677.member.member_1[1], _e1141, (_e1141 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1128 == 1023u));
+                                                let _e1147 = ((10u * _e252) & 31u);
+                                                let _e1150 = ((_e1091.member[0] >> bitcast<u32>(_e1147)) & 1023u);
+                                                let _e1158 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e123));
+                                                let _e1163 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1150)) - 8388608f) * _e1158)) ^ _e123)));
+                                                let _e1167 = select(select(_e677.member.member_1[2], _e1163, (_e1163 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1150 == 1023u));
+                                                let _e1171 = ((_e1091.member[1] >> bitcast<u32>(_e1103)) & 1023u);
+                                                let _e1179 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1171)) - 8388608f) * _e1114)) ^ _e123)));
+                                                let _e1183 = select(select(_e677.member.member_1[0], _e1179, (_e1179 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1171 == 1023u));
+                                                let _e1186 = ((_e1091.member[1] >> bitcast<u32>(_e1125)) & 1023u);
+                                                let _e1194 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1186)) - 8388608f) * _e1136)) ^ _e123)));
+                                                let _e1198 = select(select(_e677.member.member_1[1], _e1194, (_e1194 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1186 == 1023u));
+                                                let _e1201 = ((_e1091.member[1] >> bitcast<u32>(_e1147)) & 1023u);
+                                                let _e1209 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1201)) - 8388608f) * _e1158)) ^ _e123)));
+                                                let _e1213 = select(select(_e677.member.member_1[2], _e1209, (_e1209 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1201 == 1023u));
+                                                let _e1217 = ((_e1091.member[2] >> bitcast<u32>(_e1103)) & 1023u);
+                                                let _e1225 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1217)) - 8388608f) * _e1114)) ^ _e123)));
+                                                let _e1229 = select(select(_e677.member.member_1[0], _e1225, (_e1225 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1217 == 1023u));
+                                                let _e1232 = ((_e1091.member[2] >> bitcast<u32>(_e1125)) & 1023u);
+                                                let _e1240 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1232)) - 8388608f) * _e1136)) ^ _e123)));
+                                                let _e1244 = select(select(_e677.member.member_1[1], _e1240, (_e1240 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1232 == 1023u));
+                                                let _e1247 = ((_e1091.member[2] >> bitcast<u32>(_e1147)) & 1023u);
+                                                let _e1255 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1247)) - 8388608f) * _e1158)) ^ _e123)));
+                                                let _e1259 = select(select(_e677.member.member_1[2], _e1255, (_e1255 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1247 == 1023u));
+                                                let _e1262 = (_e1167 - _e452);
+                                                let _e1265 = (((_e1123 - _e315) * _e491) - (_e1262 * _e355));
+                                                let _e1268 = (((_e1145 - _e384) * _e491) - (_e1262 * _e423));
+                                                let _e1271 = (_e1213 - _e452);
+                                                let _e1274 = (((_e1183 - _e315) * _e491) - (_e1271 * _e355));
+                                                let _e1277 = (((_e1198 - _e384) * _e491) - (_e1271 * _e423));
+                                                let _e1280 = (_e1259 - _e452);
+                                                let _e1283 = (((_e1229 - _e315) * _e491) - (_e1280 * _e355));
+                                                let _e1286 = (((_e1244 - _e384) * _e491) - (_e1280 * _e423));
+                                                let _e1287 = (_e1283 * _e1277);
+                                                let _e1288 = (_e1286 * _e1274);
+                                                let _e1289 = (_e1265 * _e1286);
+                                                let _e1290 = (_e1268 * _e1283);
+                                                let _e1291 = (_e1274 * _e1268);
+                                                let _e1292 = (_e1277 * _e1265);
+                                                let _e1297 = (((_e1287 >= _e1288) && (_e1289 >= _e1290)) && (_e1291 >= _e1292));
+                                                if (_e1297 || (((_e1287 <= _e1288) && (_e1289 <= _e1290)) && (_e1291 <= _e1292))) {
+                                                    let _e1304 = select(-1f, 1f, _e1297);
+                                                    let _e1306 = ((_e1287 - _e1288) * _e1304);
+                                                    let _e1308 = select(0f, _e1306, (_e1306 > 0f));
+                                                    let _e1310 = ((_e1289 - _e1290) * _e1304);
+                                                    let _e1312 = select(0f, _e1310, (_e1310 > 0f));
+                                                    let _e1314 = ((_e1291 - _e1292) * _e1304);
+                                                    let _e1316 = select(0f, _e1314, (_e1314 > 0f));
+                                                    let _e1318 = ((_e1308 + _e1312) + _e1316);
+                                                    if (_e1318 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2409_ = type_18();
+                                                        phi_2410_ = true;
+                                                        phi_2411_ = false;
                                                     } else {
-                                                        let _e1118 = select(_e1071, _e1062, (_e1062 < _e1071));
-                                                        if (select(_e1080, _e1118, (_e1118 < _e1080)) > 0f) {
-                                                            phi_1405_ = true;
+                                                        let _e1321 = select(_e1274, _e1265, (_e1265 < _e1274));
+                                                        if (select(_e1283, _e1321, (_e1321 < _e1283)) > 0f) {
+                                                            phi_1725_ = true;
                                                         } else {
-                                                            let _e1123 = select(_e1071, _e1062, (_e1062 > _e1071));
-                                                            phi_1405_ = (select(_e1080, _e1123, (_e1123 > _e1080)) < 0f);
+                                                            let _e1326 = select(_e1274, _e1265, (_e1265 > _e1274));
+                                                            phi_1725_ = (select(_e1283, _e1326, (_e1326 > _e1283)) < 0f);
                                                         }
-                                                        let _e1128 = phi_1405_;
-                                                        if _e1128 {
-                                                            phi_2086_ = type_18();
-                                                            phi_2087_ = true;
-                                                            phi_2088_ = false;
+                                                        let _e1331 = phi_1725_;
+                                                        if _e1331 {
+                                                            phi_2406_ = type_18();
+                                                            phi_2407_ = true;
+                                                            phi_2408_ = false;
                                                         } else {
-                                                            let _e1130 = select(_e1074, _e1065, (_e1065 < _e1074));
-                                                            if (select(_e1083, _e1130, (_e1130 < _e1083)) > 0f) {
-                                                                phi_1434_ = true;
+                                                            let _e1333 = select(_e1277, _e1268, (_e1268 < _e1277));
+                                                            if (select(_e1286, _e1333, (_e1333 < _e1286)) > 0f) {
+                                                                phi_1754_ = true;
                                                             } else {
-                                                                let _e1135 = select(_e1074, _e1065, (_e1065 > _e1074));
-                                                                phi_1434_ = (select(_e1083, _e1135, (_e1135 > _e1083)) < 0f);
+                                                                let _e1338 = select(_e1277, _e1268, (_e1268 > _e1277));
+                                                                phi_1754_ = (select(_e1286, _e1338, (_e1338 > _e1286)) < 0f);
                                                             }
-                                                            let _e1140 = phi_1434_;
-                                                            if _e1140 {
-                                                                phi_2084_ = type_18();
-                                                                phi_2085_ = false;
+                                                            let _e1343 = phi_1754_;
+                                                            if _e1343 {
+                                                                phi_2404_ = type_18();
+                                                                phi_2405_ = false;
                                                             } else {
-                                                                let _e1142 = select(_e990, _e936, (_e936 < _e990));
-                                                                let _e1146 = select(_e990, _e936, (_e936 > _e990));
-                                                                let _e1150 = select(_e1003, _e956, (_e956 < _e1003));
-                                                                let _e1154 = select(_e1003, _e956, (_e956 > _e1003));
-                                                                let _e1158 = select(_e1016, _e976, (_e976 < _e1016));
-                                                                let _e1162 = select(_e1016, _e976, (_e976 > _e1016));
-                                                                let _e1167 = ((select(_e1030, _e1142, (_e1142 < _e1030)) - _e317) * _e322);
-                                                                let _e1168 = ((select(_e1030, _e1146, (_e1146 > _e1030)) - _e318) * _e322);
-                                                                let _e1171 = ((select(_e1043, _e1150, (_e1150 < _e1043)) - _e355) * _e360);
-                                                                let _e1172 = ((select(_e1043, _e1154, (_e1154 > _e1043)) - _e356) * _e360);
-                                                                let _e1175 = ((select(_e1056, _e1158, (_e1158 < _e1056)) - _e393) * _e398);
-                                                                let _e1176 = ((select(_e1056, _e1162, (_e1162 > _e1056)) - _e394) * _e398);
-                                                                let _e1178 = select(_e1176, _e1175, (_e1175 < _e1176));
-                                                                let _e1180 = select(_e1176, _e1175, (_e1175 > _e1176));
-                                                                let _e1182 = select(_e1168, _e1167, (_e1167 < _e1168));
-                                                                let _e1184 = select(_e1172, _e1171, (_e1171 < _e1172));
-                                                                let _e1186 = select(_e1184, _e1182, (_e1182 > _e1184));
-                                                                let _e1188 = select(_e1178, _e1186, (_e1186 > _e1178));
-                                                                let _e1190 = select(_e1168, _e1167, (_e1167 > _e1168));
-                                                                let _e1192 = select(_e1172, _e1171, (_e1171 > _e1172));
-                                                                let _e1194 = select(_e1192, _e1190, (_e1190 < _e1192));
-                                                                let _e1196 = select(_e1180, _e1194, (_e1194 < _e1180));
-                                                                let _e1197 = -(_e1178);
-                                                                let _e1203 = select(_e445, _e1188, (_e1188 > _e445));
-                                                                if (_e1203 > (_e1196 + (select(_e1197, _e1180, (_e1180 > _e1197)) * 0.0000019073523f))) {
-                                                                    phi_2079_ = type_18();
-                                                                    phi_2080_ = true;
+                                                                let _e1345 = select(_e1183, _e1123, (_e1123 < _e1183));
+                                                                let _e1349 = select(_e1183, _e1123, (_e1123 > _e1183));
+                                                                let _e1353 = select(_e1198, _e1145, (_e1145 < _e1198));
+                                                                let _e1357 = select(_e1198, _e1145, (_e1145 > _e1198));
+                                                                let _e1361 = select(_e1213, _e1167, (_e1167 < _e1213));
+                                                                let _e1365 = select(_e1213, _e1167, (_e1167 > _e1213));
+                                                                let _e1370 = ((select(_e1229, _e1345, (_e1345 < _e1229)) - _e353) * _e358);
+                                                                let _e1371 = ((select(_e1229, _e1349, (_e1349 > _e1229)) - _e354) * _e358);
+                                                                let _e1374 = ((select(_e1244, _e1353, (_e1353 < _e1244)) - _e421) * _e426);
+                                                                let _e1375 = ((select(_e1244, _e1357, (_e1357 > _e1244)) - _e422) * _e426);
+                                                                let _e1378 = ((select(_e1259, _e1361, (_e1361 < _e1259)) - _e489) * _e494);
+                                                                let _e1379 = ((select(_e1259, _e1365, (_e1365 > _e1259)) - _e490) * _e494);
+                                                                let _e1381 = select(_e1379, _e1378, (_e1378 < _e1379));
+                                                                let _e1383 = select(_e1379, _e1378, (_e1378 > _e1379));
+                                                                let _e1385 = select(_e1371, _e1370, (_e1370 < _e1371));
+                                                                let _e1387 = select(_e1375, _e1374, (_e1374 < _e1375));
+                                                                let _e1389 = select(_e1387, _e1385, (_e1385 > _e1387));
+                                                                let _e1391 = select(_e1381, _e1389, (_e1389 > _e1381));
+                                                                let _e1393 = select(_e1371, _e1370, (_e1370 > _e1371));
+                                                                let _e1395 = select(_e1375, _e1374, (_e1374 > _e1375));
+                                                                let _e1397 = select(_e1395, _e1393, (_e1393 < _e1395));
+                                                                let _e1399 = select(_e1383, _e1397, (_e1397 < _e1383));
+                                                                let _e1400 = -(_e1381);
+                                                                let _e1406 = select(_e606, _e1391, (_e1391 > _e606));
+                                                                if (_e1406 > (_e1399 + (select(_e1400, _e1383, (_e1383 > _e1400)) * 0.0000019073523f))) {
+                                                                    phi_2399_ = type_18();
+                                                                    phi_2400_ = true;
                                                                 } else {
-                                                                    let _e1205 = (_e1203 > _e874);
-                                                                    if _e1205 {
-                                                                        phi_2078_ = type_18();
+                                                                    let _e1408 = (_e1406 > _e1059);
+                                                                    if _e1408 {
+                                                                        phi_2398_ = type_18();
                                                                     } else {
-                                                                        let _e1206 = vec3<f32>(_e936, _e956, _e976);
-                                                                        let _e1207 = vec3<f32>(_e990, _e1003, _e1016);
-                                                                        let _e1208 = vec3<f32>(_e1030, _e1043, _e1056);
-                                                                        let _e1209 = (_e990 - _e936);
-                                                                        let _e1210 = (_e1003 - _e956);
-                                                                        let _e1211 = (_e1016 - _e976);
-                                                                        let _e1212 = vec3<f32>(_e1209, _e1210, _e1211);
-                                                                        let _e1213 = (_e1030 - _e990);
-                                                                        let _e1214 = (_e1043 - _e1003);
-                                                                        let _e1215 = (_e1056 - _e1016);
-                                                                        let _e1216 = vec3<f32>(_e1213, _e1214, _e1215);
-                                                                        let _e1217 = (_e936 - _e1030);
-                                                                        let _e1218 = (_e956 - _e1043);
-                                                                        let _e1219 = (_e976 - _e1056);
-                                                                        let _e1220 = vec3<f32>(_e1217, _e1218, _e1219);
-                                                                        let _e1223 = bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u));
-                                                                        let _e1226 = bitcast<f32>((bitcast<u32>(_e1210) & 2147483647u));
-                                                                        let _e1228 = select(_e1226, _e1223, (_e1223 > _e1226));
-                                                                        let _e1231 = bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u));
-                                                                        let _e1233 = select(_e1231, _e1228, (_e1228 > _e1231));
-                                                                        let _e1236 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
-                                                                        let _e1239 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
-                                                                        let _e1241 = select(_e1239, _e1236, (_e1236 > _e1239));
-                                                                        let _e1244 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
-                                                                        let _e1246 = select(_e1244, _e1241, (_e1241 > _e1244));
-                                                                        let _e1249 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
-                                                                        let _e1252 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
-                                                                        let _e1254 = select(_e1252, _e1249, (_e1249 > _e1252));
-                                                                        let _e1257 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
-                                                                        let _e1259 = select(_e1257, _e1254, (_e1254 > _e1257));
-                                                                        let _e1261 = select(_e1246, _e1233, (_e1233 > _e1246));
-                                                                        let _e1263 = select(_e1259, _e1261, (_e1261 > _e1259));
-                                                                        if (_e1233 == _e1263) {
-                                                                            phi_1811_ = _e1074;
-                                                                            phi_1812_ = _e1071;
-                                                                            phi_1813_ = _e1065;
-                                                                            phi_1814_ = _e1062;
-                                                                            phi_1815_ = _e1206;
-                                                                            phi_1816_ = _e1220;
-                                                                            phi_1817_ = _e1216;
-                                                                            phi_1818_ = _e1212;
+                                                                        let _e1409 = vec3<f32>(_e1123, _e1145, _e1167);
+                                                                        let _e1410 = vec3<f32>(_e1183, _e1198, _e1213);
+                                                                        let _e1411 = vec3<f32>(_e1229, _e1244, _e1259);
+                                                                        let _e1412 = (_e1183 - _e1123);
+                                                                        let _e1413 = (_e1198 - _e1145);
+                                                                        let _e1414 = (_e1213 - _e1167);
+                                                                        let _e1415 = vec3<f32>(_e1412, _e1413, _e1414);
+                                                                        let _e1416 = (_e1229 - _e1183);
+                                                                        let _e1417 = (_e1244 - _e1198);
+                                                                        let _e1418 = (_e1259 - _e1213);
+                                                                        let _e1419 = vec3<f32>(_e1416, _e1417, _e1418);
+                                                                        let _e1420 = (_e1123 - _e1229);
+                                                                        let _e1421 = (_e1145 - _e1244);
+                                                                        let _e1422 = (_e1167 - _e1259);
+                                                                        let _e1423 = vec3<f32>(_e1420, _e1421, _e1422);
+                                                                        let _e1426 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
+                                                                        let _e1429 = bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u));
+                                                                        let _e1431 = select(_e1429, _e1426, (_e1426 > _e1429));
+                                                                        let _e1434 = bitcast<f32>((bitcast<u32>(_e1414) & 2147483647u));
+                                                                        let _e1436 = select(_e1434, _e1431, (_e1431 > _e1434));
+                                                                        let _e1439 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
+                                                                        let _e1442 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
+                                                                        let _e1444 = select(_e1442, _e1439, (_e1439 > _e1442));
+                                                                        let _e1447 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
+                                                                        let _e1449 = select(_e1447, _e1444, (_e1444 > _e1447));
+                                                                        let _e1452 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
+                                                                        let _e1455 = bitcast<f32>((bitcast<u32>(_e1421) & 2147483647u));
+                                                                        let _e1457 = select(_e1455, _e1452, (_e1452 > _e1455));
+                                                                        let _e1460 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
+                                                                        let _e1462 = select(_e1460, _e1457, (_e1457 > _e1460));
+                                                                        let _e1464 = select(_e1449, _e1436, (_e1436 > _e1449));
+                                                                        let _e1466 = select(_e1462, _e1464, (_e1464 > _e1462));
+                                                                        if (_e1436 == _e1466) {
+                                                                            phi_2131_ = _e1277;
+                                                                            phi_2132_ = _e1274;
+                                                                            phi_2133_ = _e1268;
+                                                                            phi_2134_ = _e1265;
+                                                                            phi_2135_ = _e1409;
+                                                                            phi_2136_ = _e1423;
+                                                                            phi_2137_ = _e1419;
+                                                                            phi_2138_ = _e1415;
                                                                         } else {
-                                                                            let _e1265 = (_e1246 == _e1263);
-                                                                            let _e1270 = vec3(_e1265);
-                                                                            phi_1811_ = select(_e1065, _e1083, _e1265);
-                                                                            phi_1812_ = select(_e1062, _e1080, _e1265);
-                                                                            phi_1813_ = select(_e1083, _e1074, _e1265);
-                                                                            phi_1814_ = select(_e1080, _e1071, _e1265);
-                                                                            phi_1815_ = select(_e1208, _e1207, _e1270);
-                                                                            phi_1816_ = select(_e1216, _e1212, _e1270);
-                                                                            phi_1817_ = select(_e1212, _e1220, _e1270);
-                                                                            phi_1818_ = select(_e1220, _e1216, _e1270);
+                                                                            let _e1468 = (_e1449 == _e1466);
+                                                                            let _e1473 = vec3(_e1468);
+                                                                            phi_2131_ = select(_e1268, _e1286, _e1468);
+                                                                            phi_2132_ = select(_e1265, _e1283, _e1468);
+                                                                            phi_2133_ = select(_e1286, _e1277, _e1468);
+                                                                            phi_2134_ = select(_e1283, _e1274, _e1468);
+                                                                            phi_2135_ = select(_e1411, _e1410, _e1473);
+                                                                            phi_2136_ = select(_e1419, _e1415, _e1473);
+                                                                            phi_2137_ = select(_e1415, _e1423, _e1473);
+                                                                            phi_2138_ = select(_e1423, _e1419, _e1473);
                                                                         }
-                                                                        let _e1276 = phi_1811_;
-                                                                        let _e1278 = phi_1812_;
-                                                                        let _e1280 = phi_1813_;
-                                                                        let _e1282 = phi_1814_;
-                                                                        let _e1284 = phi_1815_;
-                                                                        let _e1286 = phi_1816_;
-                                                                        let _e1288 = phi_1817_;
-                                                                        let _e1290 = phi_1818_;
-                                                                        let _e1297 = ((_e1288.y * _e1286.z) - (_e1286.y * _e1288.z));
-                                                                        let _e1302 = ((_e1288.z * _e1286.x) - (_e1286.z * _e1288.x));
-                                                                        let _e1305 = ((_e1288.x * _e1286.y) - (_e1286.x * _e1288.y));
-                                                                        if (_e1105 >= _e1109) {
-                                                                            phi_1849_ = select(true, false, (_e1105 >= _e1113));
+                                                                        let _e1479 = phi_2131_;
+                                                                        let _e1481 = phi_2132_;
+                                                                        let _e1483 = phi_2133_;
+                                                                        let _e1485 = phi_2134_;
+                                                                        let _e1487 = phi_2135_;
+                                                                        let _e1489 = phi_2136_;
+                                                                        let _e1491 = phi_2137_;
+                                                                        let _e1493 = phi_2138_;
+                                                                        let _e1500 = ((_e1491.y * _e1489.z) - (_e1489.y * _e1491.z));
+                                                                        let _e1505 = ((_e1491.z * _e1489.x) - (_e1489.z * _e1491.x));
+                                                                        let _e1508 = ((_e1491.x * _e1489.y) - (_e1489.x * _e1491.y));
+                                                                        if (_e1308 >= _e1312) {
+                                                                            phi_2169_ = select(true, false, (_e1308 >= _e1316));
                                                                         } else {
-                                                                            phi_1849_ = true;
+                                                                            phi_2169_ = true;
                                                                         }
-                                                                        let _e1310 = phi_1849_;
-                                                                        if _e1310 {
-                                                                            phi_1858_ = select(_e1208, _e1207, vec3((_e1109 >= _e1113)));
+                                                                        let _e1513 = phi_2169_;
+                                                                        if _e1513 {
+                                                                            phi_2178_ = select(_e1411, _e1410, vec3((_e1312 >= _e1316)));
                                                                         } else {
-                                                                            phi_1858_ = _e1206;
+                                                                            phi_2178_ = _e1409;
                                                                         }
-                                                                        let _e1315 = phi_1858_;
-                                                                        let _e1326 = (((_e1297 * (_e1315.x - _e294)) + (_e1302 * (_e1315.y - _e333))) + (_e1305 * (_e1315.z - _e371)));
-                                                                        let _e1331 = (((_e1297 * _e319) + (_e1302 * _e357)) + (_e1305 * _e395));
-                                                                        let _e1332 = (_e1278 - _e1282);
-                                                                        let _e1333 = (_e1276 - _e1280);
-                                                                        let _e1341 = (-(((_e1282 * _e1332) + (_e1280 * _e1333))) / ((_e1332 * _e1332) + (_e1333 * _e1333)));
-                                                                        let _e1343 = select(1f, _e1341, (_e1341 < 1f));
-                                                                        let _e1345 = select(0f, _e1343, (_e1343 > 0f));
-                                                                        let _e1358 = ((_e1284.x + (_e1290.x * _e1345)) - _e294);
-                                                                        let _e1359 = ((_e1284.y + (_e1290.y * _e1345)) - _e333);
-                                                                        let _e1360 = ((_e1284.z + (_e1290.z * _e1345)) - _e371);
-                                                                        let _e1361 = (_e1360 / _e395);
-                                                                        let _e1373 = bitcast<f32>((bitcast<u32>(_e1358) & 2147483647u));
-                                                                        let _e1376 = bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u));
-                                                                        let _e1378 = select(_e1376, _e1373, (_e1373 > _e1376));
-                                                                        let _e1381 = bitcast<f32>((bitcast<u32>(_e1360) & 2147483647u));
-                                                                        let _e1383 = select(_e1381, _e1378, (_e1378 > _e1381));
-                                                                        let _e1389 = bitcast<f32>((bitcast<u32>(_e1297) & 2147483647u));
-                                                                        let _e1392 = bitcast<f32>((bitcast<u32>(_e1302) & 2147483647u));
-                                                                        let _e1394 = select(_e1392, _e1389, (_e1389 > _e1392));
-                                                                        let _e1397 = bitcast<f32>((bitcast<u32>(_e1305) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1297 * _e1358) + (_e1302 * _e1359)) + (_e1305 * _e1360)) - _e1326)) & 2147483647u)) <= ((0.0000009536743f * select(_e1263, _e1383, (_e1383 > _e1263))) * select(_e1397, _e1394, (_e1394 > _e1397)))) {
-                                                                            let _e1407 = bitcast<f32>((bitcast<u32>(_e1288.x) & 2147483647u));
-                                                                            let _e1410 = bitcast<f32>((bitcast<u32>(_e1288.y) & 2147483647u));
-                                                                            let _e1412 = select(_e1410, _e1407, (_e1407 > _e1410));
-                                                                            let _e1415 = bitcast<f32>((bitcast<u32>(_e1288.z) & 2147483647u));
-                                                                            let _e1421 = bitcast<f32>((bitcast<u32>(_e1286.x) & 2147483647u));
-                                                                            let _e1424 = bitcast<f32>((bitcast<u32>(_e1286.y) & 2147483647u));
-                                                                            let _e1426 = select(_e1424, _e1421, (_e1421 > _e1424));
-                                                                            let _e1429 = bitcast<f32>((bitcast<u32>(_e1286.z) & 2147483647u));
-                                                                            let _e1433 = (bitcast<f32>((bitcast<u32>(_e1331) & 2147483647u)) > ((0.0000038146973f * select(_e1415, _e1412, (_e1412 > _e1415))) * select(_e1429, _e1426, (_e1426 > _e1429))));
-                                                                            if _e1433 {
-                                                                                phi_2023_ = (_e1326 / _e1331);
+                                                                        let _e1518 = phi_2178_;
+                                                                        let _e1529 = (((_e1500 * (_e1518.x - _e315)) + (_e1505 * (_e1518.y - _e384))) + (_e1508 * (_e1518.z - _e452)));
+                                                                        let _e1534 = (((_e1500 * _e355) + (_e1505 * _e423)) + (_e1508 * _e491));
+                                                                        let _e1535 = (_e1481 - _e1485);
+                                                                        let _e1536 = (_e1479 - _e1483);
+                                                                        let _e1544 = (-(((_e1485 * _e1535) + (_e1483 * _e1536))) / ((_e1535 * _e1535) + (_e1536 * _e1536)));
+                                                                        let _e1546 = select(1f, _e1544, (_e1544 < 1f));
+                                                                        let _e1548 = select(0f, _e1546, (_e1546 > 0f));
+                                                                        let _e1561 = ((_e1487.x + (_e1493.x * _e1548)) - _e315);
+                                                                        let _e1562 = ((_e1487.y + (_e1493.y * _e1548)) - _e384);
+                                                                        let _e1563 = ((_e1487.z + (_e1493.z * _e1548)) - _e452);
+                                                                        let _e1564 = (_e1563 / _e491);
+                                                                        let _e1576 = bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u));
+                                                                        let _e1579 = bitcast<f32>((bitcast<u32>(_e1562) & 2147483647u));
+                                                                        let _e1581 = select(_e1579, _e1576, (_e1576 > _e1579));
+                                                                        let _e1584 = bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u));
+                                                                        let _e1586 = select(_e1584, _e1581, (_e1581 > _e1584));
+                                                                        let _e1592 = bitcast<f32>((bitcast<u32>(_e1500) & 2147483647u));
+                                                                        let _e1595 = bitcast<f32>((bitcast<u32>(_e1505) & 2147483647u));
+                                                                        let _e1597 = select(_e1595, _e1592, (_e1592 > _e1595));
+                                                                        let _e1600 = bitcast<f32>((bitcast<u32>(_e1508) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1500 * _e1561) + (_e1505 * _e1562)) + (_e1508 * _e1563)) - _e1529)) & 2147483647u)) <= ((0.0000009536743f * select(_e1466, _e1586, (_e1586 > _e1466))) * select(_e1600, _e1597, (_e1597 > _e1600)))) {
+                                                                            let _e1610 = bitcast<f32>((bitcast<u32>(_e1491.x) & 2147483647u));
+                                                                            let _e1613 = bitcast<f32>((bitcast<u32>(_e1491.y) & 2147483647u));
+                                                                            let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
+                                                                            let _e1618 = bitcast<f32>((bitcast<u32>(_e1491.z) & 2147483647u));
+                                                                            let _e1624 = bitcast<f32>((bitcast<u32>(_e1489.x) & 2147483647u));
+                                                                            let _e1627 = bitcast<f32>((bitcast<u32>(_e1489.y) & 2147483647u));
+                                                                            let _e1629 = select(_e1627, _e1624, (_e1624 > _e1627));
+                                                                            let _e1632 = bitcast<f32>((bitcast<u32>(_e1489.z) & 2147483647u));
+                                                                            let _e1636 = (bitcast<f32>((bitcast<u32>(_e1534) & 2147483647u)) > ((0.0000038146973f * select(_e1618, _e1615, (_e1615 > _e1618))) * select(_e1632, _e1629, (_e1629 > _e1632))));
+                                                                            if _e1636 {
+                                                                                phi_2343_ = (_e1529 / _e1534);
                                                                             } else {
-                                                                                phi_2023_ = f32();
+                                                                                phi_2343_ = f32();
                                                                             }
-                                                                            let _e1436 = phi_2023_;
-                                                                            phi_2025_ = _e1436;
-                                                                            phi_2026_ = select(true, false, _e1433);
+                                                                            let _e1639 = phi_2343_;
+                                                                            phi_2345_ = _e1639;
+                                                                            phi_2346_ = select(true, false, _e1636);
                                                                         } else {
-                                                                            phi_2025_ = f32();
-                                                                            phi_2026_ = true;
+                                                                            phi_2345_ = f32();
+                                                                            phi_2346_ = true;
                                                                         }
-                                                                        let _e1439 = phi_2025_;
-                                                                        let _e1441 = phi_2026_;
-                                                                        if _e1441 {
-                                                                            let _e1449 = (((_e1297 * (_e1358 - (_e319 * _e1361))) + (_e1302 * (_e1359 - (_e357 * _e1361)))) / _e1331);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1449) & 2147483647u)) <= _e1263) {
-                                                                                phi_2046_ = (_e1361 + _e1449);
+                                                                        let _e1642 = phi_2345_;
+                                                                        let _e1644 = phi_2346_;
+                                                                        if _e1644 {
+                                                                            let _e1652 = (((_e1500 * (_e1561 - (_e355 * _e1564))) + (_e1505 * (_e1562 - (_e423 * _e1564)))) / _e1534);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1652) & 2147483647u)) <= _e1466) {
+                                                                                phi_2366_ = (_e1564 + _e1652);
                                                                             } else {
-                                                                                phi_2046_ = _e1361;
+                                                                                phi_2366_ = _e1564;
                                                                             }
-                                                                            let _e1456 = phi_2046_;
-                                                                            phi_2047_ = _e1456;
+                                                                            let _e1659 = phi_2366_;
+                                                                            phi_2367_ = _e1659;
                                                                         } else {
-                                                                            phi_2047_ = _e1439;
+                                                                            phi_2367_ = _e1642;
                                                                         }
-                                                                        let _e1458 = phi_2047_;
-                                                                        let _e1460 = select(_e1196, _e1458, (_e1458 < _e1196));
-                                                                        let _e1462 = select(_e1188, _e1460, (_e1460 > _e1188));
-                                                                        if (_e1462 >= _e445) {
-                                                                            let _e1464 = (_e1462 <= _e874);
-                                                                            if _e1464 {
-                                                                                let _e1465 = (1f / _e1115);
-                                                                                phi_2070_ = type_18(_e1462, (_e1109 * _e1465), (_e1113 * _e1465), _e902);
+                                                                        let _e1661 = phi_2367_;
+                                                                        let _e1663 = select(_e1399, _e1661, (_e1661 < _e1399));
+                                                                        let _e1665 = select(_e1391, _e1663, (_e1663 > _e1391));
+                                                                        if (_e1665 >= _e606) {
+                                                                            let _e1667 = (_e1665 <= _e1059);
+                                                                            if _e1667 {
+                                                                                let _e1668 = (1f / _e1318);
+                                                                                phi_2390_ = type_18(_e1665, (_e1312 * _e1668), (_e1316 * _e1668), _e1087);
                                                                             } else {
-                                                                                phi_2070_ = type_18();
+                                                                                phi_2390_ = type_18();
                                                                             }
-                                                                            let _e1470 = phi_2070_;
-                                                                            phi_2072_ = _e1470;
-                                                                            phi_2073_ = select(true, false, _e1464);
+                                                                            let _e1673 = phi_2390_;
+                                                                            phi_2392_ = _e1673;
+                                                                            phi_2393_ = select(true, false, _e1667);
                                                                         } else {
-                                                                            phi_2072_ = type_18();
-                                                                            phi_2073_ = true;
+                                                                            phi_2392_ = type_18();
+                                                                            phi_2393_ = true;
                                                                         }
-                                                                        let _e1473 = phi_2072_;
-                                                                        let _e1475 = phi_2073_;
-                                                                        if _e1475 {
-                                                                            phi_2077_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1676 = phi_2392_;
+                                                                        let _e1678 = phi_2393_;
+                                                                        if _e1678 {
+                                                                            phi_2397_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2077_ = _e1473;
+                                                                            phi_2397_ = _e1676;
                                                                         }
-                                                                        let _e1477 = phi_2077_;
-                                                                        phi_2078_ = _e1477;
+                                                                        let _e1680 = phi_2397_;
+                                                                        phi_2398_ = _e1680;
                                                                     }
-                                                                    let _e1479 = phi_2078_;
-                                                                    phi_2079_ = _e1479;
-                                                                    phi_2080_ = _e1205;
+                                                                    let _e1682 = phi_2398_;
+                                                                    phi_2399_ = _e1682;
+                                                                    phi_2400_ = _e1408;
                                                                 }
-                                                                let _e1481 = phi_2079_;
-                                                                let _e1483 = phi_2080_;
-                                                                phi_2084_ = _e1481;
-                                                                phi_2085_ = _e1483;
+                                                                let _e1684 = phi_2399_;
+                                                                let _e1686 = phi_2400_;
+                                                                phi_2404_ = _e1684;
+                                                                phi_2405_ = _e1686;
                                                             }
-                                                            let _e1485 = phi_2084_;
-                                                            let _e1487 = phi_2085_;
-                                                            phi_2086_ = _e1485;
-                                                            phi_2087_ = _e1140;
-                                                            phi_2088_ = _e1487;
+                                                            let _e1688 = phi_2404_;
+                                                            let _e1690 = phi_2405_;
+                                                            phi_2406_ = _e1688;
+                                                            phi_2407_ = _e1343;
+                                                            phi_2408_ = _e1690;
                                                         }
-                                                        let _e1489 = phi_2086_;
-                                                        let _e1491 = phi_2087_;
-                                                        let _e1493 = phi_2088_;
-                                                        phi_2089_ = _e1489;
-                                                        phi_2090_ = _e1491;
-                                                        phi_2091_ = _e1493;
+                                                        let _e1692 = phi_2406_;
+                                                        let _e1694 = phi_2407_;
+                                                        let _e1696 = phi_2408_;
+                                                        phi_2409_ = _e1692;
+                                                        phi_2410_ = _e1694;
+                                                        phi_2411_ = _e1696;
                                                     }
-                                                    let _e1495 = phi_2089_;
-                                                    let _e1497 = phi_2090_;
-                                                    let _e1499 = phi_2091_;
-                                                    phi_2099_ = _e1495;
-                                                    phi_2100_ = select(_e1499, true, _e1497);
+                                                    let _e1698 = phi_2409_;
+                                                    let _e1700 = phi_2410_;
+                                                    let _e1702 = phi_2411_;
+                                                    phi_2419_ = _e1698;
+                                                    phi_2420_ = select(_e1702, true, _e1700);
                                                 } else {
-                                                    phi_2099_ = type_18();
-                                                    phi_2100_ = true;
+                                                    phi_2419_ = type_18();
+                                                    phi_2420_ = true;
                                                 }
-                                                let _e1502 = phi_2099_;
-                                                let _e1504 = phi_2100_;
-                                                if _e1504 {
-                                                    phi_2104_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1705 = phi_2419_;
+                                                let _e1707 = phi_2420_;
+                                                if _e1707 {
+                                                    phi_2424_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2104_ = _e1502;
+                                                    phi_2424_ = _e1705;
                                                 }
-                                                let _e1506 = phi_2104_;
-                                                if (_e1506.member_3 != 4294967295u) {
-                                                    if (_e902 != 4294967295u) {
-                                                        phi_2116_ = type_4(0u, 8u);
-                                                        phi_2119_ = _e1506;
+                                                let _e1709 = phi_2424_;
+                                                if (_e1709.member_3 != 4294967295u) {
+                                                    if (_e1087 != 4294967295u) {
+                                                        phi_2436_ = type_4(0u, 8u);
+                                                        phi_2439_ = _e1709;
                                                         loop {
-                                                            let _e1511 = phi_2116_;
-                                                            let _e1513 = phi_2119_;
-                                                            if (_e1511.member < _e1511.member_1) {
-                                                                phi_2117_ = type_4((_e1511.member + 1u), _e1511.member_1);
-                                                                phi_2142_ = type_4(1u, _e1511.member);
+                                                            let _e1714 = phi_2436_;
+                                                            let _e1716 = phi_2439_;
+                                                            if (_e1714.member < _e1714.member_1) {
+                                                                phi_2437_ = type_4((_e1714.member + 1u), _e1714.member_1);
+                                                                phi_2462_ = type_4(1u, _e1714.member);
                                                             } else {
-                                                                phi_2117_ = _e1511;
-                                                                phi_2142_ = type_4(0u, type_4().member_1);
+                                                                phi_2437_ = _e1714;
+                                                                phi_2462_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1526 = phi_2117_;
-                                                            let _e1528 = phi_2142_;
-                                                            let _e1532 = (bitcast<i32>(_e1528.member) != 0i);
-                                                            if _e1532 {
-                                                                let _e1533 = (_e1528.member_1 < 8u);
-                                                                if _e1533 {
+                                                            let _e1729 = phi_2437_;
+                                                            let _e1731 = phi_2462_;
+                                                            let _e1735 = (bitcast<i32>(_e1731.member) != 0i);
+                                                            if _e1735 {
+                                                                let _e1736 = (_e1731.member_1 < 8u);
+                                                                if _e1736 {
                                                                 } else {
-                                                                    phi_3438_ = true;
+                                                                    phi_3880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1538 = local_7[_e1528.member_1].member;
-                                                                if (_e1513.member < _e1538) {
-                                                                    phi_2175_ = true;
+                                                                let _e1741 = local_7[_e1731.member_1].member;
+                                                                if (_e1716.member < _e1741) {
+                                                                    phi_2495_ = true;
                                                                 } else {
-                                                                    let _e1540 = local_7[_e1528.member_1].member;
-                                                                    if (_e1513.member == _e1540) {
-                                                                        let _e1545 = local_7[_e1528.member_1].member_3;
-                                                                        phi_2174_ = (_e1513.member_3 < _e1545);
+                                                                    let _e1743 = local_7[_e1731.member_1].member;
+                                                                    if (_e1716.member == _e1743) {
+                                                                        let _e1748 = local_7[_e1731.member_1].member_3;
+                                                                        phi_2494_ = (_e1716.member_3 < _e1748);
                                                                     } else {
-                                                                        phi_2174_ = false;
+                                                                        phi_2494_ = false;
                                                                     }
-                                                                    let _e1548 = phi_2174_;
-                                                                    phi_2175_ = _e1548;
+                                                                    let _e1751 = phi_2494_;
+                                                                    phi_2495_ = _e1751;
                                                                 }
-                                                                let _e1550 = phi_2175_;
-                                                                if _e1550 {
-                                                                    if _e1533 {
+                                                                let _e1753 = phi_2495_;
+                                                                if _e1753 {
+                                                                    if _e1736 {
                                                                     } else {
-                                                                        phi_3438_ = true;
+                                                                        phi_3880_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1551 = local_7[_e1528.member_1];
-                                                                    local_7[_e1528.member_1] = type_18(_e1513.member, _e1513.member_1, _e1513.member_2, _e1513.member_3);
-                                                                    phi_2196_ = type_18(_e1551.member, _e1551.member_1, _e1551.member_2, _e1551.member_3);
+                                                                    let _e1754 = local_7[_e1731.member_1];
+                                                                    local_7[_e1731.member_1] = type_18(_e1716.member, _e1716.member_1, _e1716.member_2, _e1716.member_3);
+                                                                    phi_2516_ = type_18(_e1754.member, _e1754.member_1, _e1754.member_2, _e1754.member_3);
                                                                 } else {
-                                                                    phi_2196_ = _e1513;
+                                                                    phi_2516_ = _e1716;
                                                                 }
-                                                                let _e1562 = phi_2196_;
-                                                                phi_2120_ = _e1562;
+                                                                let _e1765 = phi_2516_;
+                                                                phi_2440_ = _e1765;
                                                             } else {
-                                                                phi_2120_ = type_18();
+                                                                phi_2440_ = type_18();
                                                             }
-                                                            let _e1564 = phi_2120_;
+                                                            let _e1767 = phi_2440_;
                                                             continue;
                                                             continuing {
-                                                                phi_2116_ = _e1526;
-                                                                phi_2119_ = _e1564;
-                                                                phi_3438_ = _e872;
-                                                                break if !(_e1532);
+                                                                phi_2436_ = _e1729;
+                                                                phi_2439_ = _e1767;
+                                                                phi_3880_ = _e1057;
+                                                                break if !(_e1735);
                                                             }
                                                         }
-                                                        let _e1567 = phi_3438_;
-                                                        phi_3712_ = _e874;
-                                                        phi_3598_ = _e1567;
-                                                        if _e1567 {
+                                                        let _e1770 = phi_3880_;
+                                                        phi_4183_ = _e1059;
+                                                        phi_4058_ = _e1770;
+                                                        if _e1770 {
                                                             break;
                                                         }
-                                                        let _e1570 = local_7[7u].member_3;
-                                                        if (_e1570 != 4294967295u) {
-                                                            let _e1574 = local_7[7u].member;
-                                                            phi_3803_ = _e1574;
+                                                        let _e1773 = local_7[7u].member_3;
+                                                        if (_e1773 != 4294967295u) {
+                                                            let _e1777 = local_7[7u].member;
+                                                            phi_4274_ = _e1777;
                                                         } else {
-                                                            phi_3803_ = _e874;
+                                                            phi_4274_ = _e1059;
                                                         }
-                                                        let _e1576 = phi_3803_;
-                                                        phi_3802_ = _e1576;
-                                                        phi_3601_ = _e1567;
+                                                        let _e1779 = phi_4274_;
+                                                        phi_4273_ = _e1779;
+                                                        phi_4061_ = _e1770;
                                                     } else {
-                                                        phi_3802_ = _e874;
-                                                        phi_3601_ = _e872;
+                                                        phi_4273_ = _e1059;
+                                                        phi_4061_ = _e1057;
                                                     }
-                                                    let _e1578 = phi_3802_;
-                                                    let _e1580 = phi_3601_;
-                                                    phi_3801_ = _e1578;
-                                                    phi_3600_ = _e1580;
+                                                    let _e1781 = phi_4273_;
+                                                    let _e1783 = phi_4061_;
+                                                    phi_4272_ = _e1781;
+                                                    phi_4060_ = _e1783;
                                                 } else {
-                                                    phi_3801_ = _e874;
-                                                    phi_3600_ = _e872;
+                                                    phi_4272_ = _e1059;
+                                                    phi_4060_ = _e1057;
                                                 }
-                                                let _e1582 = phi_3801_;
-                                                let _e1584 = phi_3600_;
-                                                phi_3800_ = _e1582;
-                                                phi_3599_ = _e1584;
+                                                let _e1785 = phi_4272_;
+                                                let _e1787 = phi_4060_;
+                                                phi_4271_ = _e1785;
+                                                phi_4059_ = _e1787;
                                             } else {
-                                                phi_3800_ = _e874;
-                                                phi_3599_ = _e872;
+                                                phi_4271_ = _e1059;
+                                                phi_4059_ = _e1057;
                                             }
-                                            let _e1586 = phi_3800_;
-                                            let _e1588 = phi_3599_;
+                                            let _e1789 = phi_4271_;
+                                            let _e1791 = phi_4059_;
                                             continue;
                                             continuing {
-                                                phi_3465_ = _e1588;
-                                                phi_3437_ = _e1586;
-                                                phi_963_ = _e889;
-                                                phi_3712_ = _e1586;
-                                                phi_3598_ = _e1588;
-                                                break if !(_e895);
+                                                phi_3907_ = _e1791;
+                                                phi_3879_ = _e1789;
+                                                phi_1265_ = _e1074;
+                                                phi_4183_ = _e1789;
+                                                phi_4058_ = _e1791;
+                                                break if !(_e1080);
                                             }
                                         }
-                                        let _e1591 = phi_3712_;
-                                        let _e1593 = phi_3598_;
-                                        phi_3603_ = _e1593;
-                                        if _e1593 {
+                                        let _e1794 = phi_4183_;
+                                        let _e1796 = phi_4058_;
+                                        phi_4063_ = _e1796;
+                                        if _e1796 {
                                             break;
                                         }
-                                        phi_3677_ = _e1591;
-                                        phi_3607_ = _e1593;
-                                        phi_3157_ = _e516;
-                                        phi_3158_ = false;
-                                        phi_3159_ = _e520;
+                                        phi_4148_ = _e1794;
+                                        phi_4067_ = _e1796;
+                                        phi_3501_ = _e677;
+                                        phi_3502_ = false;
+                                        phi_3503_ = _e681;
                                     } else {
-                                        let _e530 = (_e516.member_1 < _e82);
-                                        if _e530 {
-                                            if _e530 {
+                                        let _e691 = (_e677.member_1 < _e88);
+                                        if _e691 {
+                                            if _e691 {
                                             } else {
-                                                phi_3603_ = true;
+                                                phi_4063_ = true;
                                                 break;
                                             }
-                                            let _e532 = global_4.member[_e516.member_1];
-                                            phi_2226_ = _e532;
+                                            let _e693 = global_4.member[_e677.member_1];
+                                            phi_2546_ = _e693;
                                         } else {
-                                            phi_2226_ = type_39(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2546_ = type_39(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e534 = phi_2226_;
-                                        let _e549 = ((10u * _e245) & 31u);
-                                        let _e552 = ((_e534.member[0] >> bitcast<u32>(_e549)) & 1023u);
-                                        let _e557 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[0] - _e516.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                        let _e563 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e552) * _e557)) ^ _e117)));
-                                        let _e567 = select(select(_e516.member.member_1[0], _e563, (_e563 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e552 == 1023u));
-                                        let _e569 = ((10u * _e244) & 31u);
-                                        let _e572 = ((_e534.member[0] >> bitcast<u32>(_e569)) & 1023u);
-                                        let _e577 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[1] - _e516.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                        let _e583 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e572) * _e577)) ^ _e117)));
-                                        let _e587 = select(select(_e516.member.member_1[1], _e583, (_e583 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e572 == 1023u));
-                                        let _e589 = ((10u * _e246) & 31u);
-                                        let _e592 = ((_e534.member[0] >> bitcast<u32>(_e589)) & 1023u);
-                                        let _e597 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[2] - _e516.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                        let _e603 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e592) * _e597)) ^ _e117)));
-                                        let _e607 = select(select(_e516.member.member_1[2], _e603, (_e603 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e592 == 1023u));
-                                        let _e610 = ((_e534.member[1] >> bitcast<u32>(_e549)) & 1023u);
-                                        let _e616 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e610) * _e557)) ^ _e117)));
-                                        let _e620 = select(select(_e516.member.member_1[0], _e616, (_e616 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e610 == 1023u));
-                                        let _e623 = ((_e534.member[1] >> bitcast<u32>(_e569)) & 1023u);
-                                        let _e629 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e623) * _e577)) ^ _e117)));
-                                        let _e633 = select(select(_e516.member.member_1[1], _e629, (_e629 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e623 == 1023u));
-                                        let _e636 = ((_e534.member[1] >> bitcast<u32>(_e589)) & 1023u);
-                                        let _e642 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e636) * _e597)) ^ _e117)));
-                                        let _e646 = select(select(_e516.member.member_1[2], _e642, (_e642 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e636 == 1023u));
-                                        let _e652 = ((_e534.member_1[0] >> bitcast<u32>(_e549)) & 1023u);
-                                        let _e658 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e652) * _e557)) ^ _e117)));
-                                        let _e662 = select(select(_e516.member.member_1[0], _e658, (_e658 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e652 == 1023u));
-                                        let _e665 = ((_e534.member_1[0] >> bitcast<u32>(_e569)) & 1023u);
-                                        let _e671 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e665) * _e577)) ^ _e117)));
-                                        let _e675 = select(select(_e516.member.member_1[1], _e671, (_e671 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e665 == 1023u));
-                                        let _e678 = ((_e534.member_1[0] >> bitcast<u32>(_e589)) & 1023u);
-                                        let _e684 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e678) * _e597)) ^ _e117)));
-                                        let _e688 = select(select(_e516.member.member_1[2], _e684, (_e684 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e678 == 1023u));
-                                        let _e691 = ((_e534.member_1[1] >> bitcast<u32>(_e549)) & 1023u);
-                                        let _e697 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e691) * _e557)) ^ _e117)));
-                                        let _e701 = select(select(_e516.member.member_1[0], _e697, (_e697 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e691 == 1023u));
-                                        let _e704 = ((_e534.member_1[1] >> bitcast<u32>(_e569)) & 1023u);
-                                        let _e710 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e704) * _e577)) ^ _e117)));
-                                        let _e714 = select(select(_e516.member.member_1[1], _e710, (_e710 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e704 == 1023u));
-                                        let _e717 = ((_e534.member_1[1] >> bitcast<u32>(_e589)) & 1023u);
-                                        let _e723 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e717) * _e597)) ^ _e117)));
-                                        let _e727 = select(select(_e516.member.member_1[2], _e723, (_e723 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e717 == 1023u));
-                                        let _e732 = type_52(type_44(array<f32, 3>(_e567, _e587, _e607), array<f32, 3>(_e620, _e633, _e646)), _e534.member_2);
-                                        let _e737 = type_52(type_44(array<f32, 3>(_e662, _e675, _e688), array<f32, 3>(_e701, _e714, _e727)), _e534.member_3);
-                                        let _e742 = ((_e567 - _e317) * _e322);
-                                        let _e743 = ((_e662 - _e317) * _e322);
-                                        let _e744 = ((_e620 - _e318) * _e322);
-                                        let _e745 = ((_e701 - _e318) * _e322);
-                                        let _e750 = ((_e587 - _e355) * _e360);
-                                        let _e751 = ((_e675 - _e355) * _e360);
-                                        let _e752 = ((_e633 - _e356) * _e360);
-                                        let _e753 = ((_e714 - _e356) * _e360);
-                                        let _e758 = ((_e607 - _e393) * _e398);
-                                        let _e759 = ((_e688 - _e393) * _e398);
-                                        let _e760 = ((_e646 - _e394) * _e398);
-                                        let _e761 = ((_e727 - _e394) * _e398);
-                                        let _e763 = select(_e760, _e758, (_e758 < _e760));
-                                        let _e765 = select(_e761, _e759, (_e759 < _e761));
-                                        let _e767 = select(_e760, _e758, (_e758 > _e760));
-                                        let _e769 = select(_e761, _e759, (_e759 > _e761));
-                                        let _e771 = select(_e744, _e742, (_e742 < _e744));
-                                        let _e773 = select(_e745, _e743, (_e743 < _e745));
-                                        let _e775 = select(_e752, _e750, (_e750 < _e752));
-                                        let _e777 = select(_e753, _e751, (_e751 < _e753));
-                                        let _e779 = select(_e775, _e771, (_e771 > _e775));
-                                        let _e781 = select(_e777, _e773, (_e773 > _e777));
-                                        let _e783 = select(_e763, _e779, (_e779 > _e763));
-                                        let _e785 = select(_e765, _e781, (_e781 > _e765));
-                                        let _e787 = select(_e744, _e742, (_e742 > _e744));
-                                        let _e789 = select(_e745, _e743, (_e743 > _e745));
-                                        let _e791 = select(_e752, _e750, (_e750 > _e752));
-                                        let _e793 = select(_e753, _e751, (_e751 > _e753));
-                                        let _e795 = select(_e791, _e787, (_e787 < _e791));
-                                        let _e797 = select(_e793, _e789, (_e789 < _e793));
-                                        let _e802 = -(_e763);
-                                        let _e803 = -(_e765);
-                                        let _e810 = (select(_e767, _e795, (_e795 < _e767)) + (select(_e802, _e767, (_e767 > _e802)) * 0.0000019073523f));
-                                        let _e811 = (select(_e769, _e797, (_e797 < _e769)) + (select(_e803, _e769, (_e769 > _e803)) * 0.0000019073523f));
-                                        let _e813 = select(_e445, _e783, (_e783 > _e445));
-                                        let _e815 = select(_e445, _e785, (_e785 > _e445));
-                                        let _e820 = (_e813 <= select(_e478, _e810, (_e810 < _e478)));
-                                        let _e821 = (_e815 <= select(_e478, _e811, (_e811 < _e478)));
-                                        let _e822 = (_e813 <= _e815);
-                                        if _e820 {
-                                            if _e821 {
-                                                if _e822 {
-                                                    phi_3059_ = _e737;
+                                        let _e695 = phi_2546_;
+                                        let _e710 = ((10u * _e251) & 31u);
+                                        let _e713 = ((_e695.member[0] >> bitcast<u32>(_e710)) & 1023u);
+                                        let _e721 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e123));
+                                        let _e726 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e713)) - 8388608f) * _e721)) ^ _e123)));
+                                        let _e730 = select(select(_e677.member.member_1[0], _e726, (_e726 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e713 == 1023u));
+                                        let _e732 = ((10u * _e250) & 31u);
+                                        let _e735 = ((_e695.member[0] >> bitcast<u32>(_e732)) & 1023u);
+                                        let _e743 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e123));
+                                        let _e748 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e735)) - 8388608f) * _e743)) ^ _e123)));
+                                        let _e752 = select(select(_e677.member.member_1[1], _e748, (_e748 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e735 == 1023u));
+                                        let _e754 = ((10u * _e252) & 31u);
+                                        let _e757 = ((_e695.member[0] >> bitcast<u32>(_e754)) & 1023u);
+                                        let _e765 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e123));
+                                        let _e770 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e757)) - 8388608f) * _e765)) ^ _e123)));
+                                        let _e774 = select(select(_e677.member.member_1[2], _e770, (_e770 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e757 == 1023u));
+                                        let _e777 = ((_e695.member[1] >> bitcast<u32>(_e710)) & 1023u);
+                                        let _e785 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e777)) - 8388608f) * _e721)) ^ _e123)));
+                                        let _e789 = select(select(_e677.member.member_1[0], _e785, (_e785 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e777 == 1023u));
+                                        let _e792 = ((_e695.member[1] >> bitcast<u32>(_e732)) & 1023u);
+                                        let _e800 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e792)) - 8388608f) * _e743)) ^ _e123)));
+                                        let _e804 = select(select(_e677.member.member_1[1], _e800, (_e800 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e792 == 1023u));
+                                        let _e807 = ((_e695.member[1] >> bitcast<u32>(_e754)) & 1023u);
+                                        let _e815 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e765)) ^ _e123)));
+                                        let _e819 = select(select(_e677.member.member_1[2], _e815, (_e815 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e807 == 1023u));
+                                        let _e825 = ((_e695.member_1[0] >> bitcast<u32>(_e710)) & 1023u);
+                                        let _e833 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e825)) - 8388608f) * _e721)) ^ _e123)));
+                                        let _e837 = select(select(_e677.member.member_1[0], _e833, (_e833 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e825 == 1023u));
+                                        let _e840 = ((_e695.member_1[0] >> bitcast<u32>(_e732)) & 1023u);
+                                        let _e848 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e840)) - 8388608f) * _e743)) ^ _e123)));
+                                        let _e852 = select(select(_e677.member.member_1[1], _e848, (_e848 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e840 == 1023u));
+                                        let _e855 = ((_e695.member_1[0] >> bitcast<u32>(_e754)) & 1023u);
+                                        let _e863 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e855)) - 8388608f) * _e765)) ^ _e123)));
+                                        let _e867 = select(select(_e677.member.member_1[2], _e863, (_e863 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e855 == 1023u));
+                                        let _e870 = ((_e695.member_1[1] >> bitcast<u32>(_e710)) & 1023u);
+                                        let _e878 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e870)) - 8388608f) * _e721)) ^ _e123)));
+                                        let _e882 = select(select(_e677.member.member_1[0], _e878, (_e878 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e870 == 1023u));
+                                        let _e885 = ((_e695.member_1[1] >> bitcast<u32>(_e732)) & 1023u);
+                                        let _e893 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e885)) - 8388608f) * _e743)) ^ _e123)));
+                                        let _e897 = select(select(_e677.member.member_1[1], _e893, (_e893 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e885 == 1023u));
+                                        let _e900 = ((_e695.member_1[1] >> bitcast<u32>(_e754)) & 1023u);
+                                        let _e908 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e900)) - 8388608f) * _e765)) ^ _e123)));
+                                        let _e912 = select(select(_e677.member.member_1[2], _e908, (_e908 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e900 == 1023u));
+                                        let _e917 = type_52(type_44(array<f32, 3>(_e730, _e752, _e774), array<f32, 3>(_e789, _e804, _e819)), _e695.member_2);
+                                        let _e922 = type_52(type_44(array<f32, 3>(_e837, _e852, _e867), array<f32, 3>(_e882, _e897, _e912)), _e695.member_3);
+                                        let _e927 = ((_e730 - _e353) * _e358);
+                                        let _e928 = ((_e837 - _e353) * _e358);
+                                        let _e929 = ((_e789 - _e354) * _e358);
+                                        let _e930 = ((_e882 - _e354) * _e358);
+                                        let _e935 = ((_e752 - _e421) * _e426);
+                                        let _e936 = ((_e852 - _e421) * _e426);
+                                        let _e937 = ((_e804 - _e422) * _e426);
+                                        let _e938 = ((_e897 - _e422) * _e426);
+                                        let _e943 = ((_e774 - _e489) * _e494);
+                                        let _e944 = ((_e867 - _e489) * _e494);
+                                        let _e945 = ((_e819 - _e490) * _e494);
+                                        let _e946 = ((_e912 - _e490) * _e494);
+                                        let _e948 = select(_e945, _e943, (_e943 < _e945));
+                                        let _e950 = select(_e946, _e944, (_e944 < _e946));
+                                        let _e952 = select(_e945, _e943, (_e943 > _e945));
+                                        let _e954 = select(_e946, _e944, (_e944 > _e946));
+                                        let _e956 = select(_e929, _e927, (_e927 < _e929));
+                                        let _e958 = select(_e930, _e928, (_e928 < _e930));
+                                        let _e960 = select(_e937, _e935, (_e935 < _e937));
+                                        let _e962 = select(_e938, _e936, (_e936 < _e938));
+                                        let _e964 = select(_e960, _e956, (_e956 > _e960));
+                                        let _e966 = select(_e962, _e958, (_e958 > _e962));
+                                        let _e968 = select(_e948, _e964, (_e964 > _e948));
+                                        let _e970 = select(_e950, _e966, (_e966 > _e950));
+                                        let _e972 = select(_e929, _e927, (_e927 > _e929));
+                                        let _e974 = select(_e930, _e928, (_e928 > _e930));
+                                        let _e976 = select(_e937, _e935, (_e935 > _e937));
+                                        let _e978 = select(_e938, _e936, (_e936 > _e938));
+                                        let _e980 = select(_e976, _e972, (_e972 < _e976));
+                                        let _e982 = select(_e978, _e974, (_e974 < _e978));
+                                        let _e987 = -(_e948);
+                                        let _e988 = -(_e950);
+                                        let _e995 = (select(_e952, _e980, (_e980 < _e952)) + (select(_e987, _e952, (_e952 > _e987)) * 0.0000019073523f));
+                                        let _e996 = (select(_e954, _e982, (_e982 < _e954)) + (select(_e988, _e954, (_e954 > _e988)) * 0.0000019073523f));
+                                        let _e998 = select(_e606, _e968, (_e968 > _e606));
+                                        let _e1000 = select(_e606, _e970, (_e970 > _e606));
+                                        let _e1005 = (_e998 <= select(_e639, _e995, (_e995 < _e639)));
+                                        let _e1006 = (_e1000 <= select(_e639, _e996, (_e996 < _e639)));
+                                        let _e1007 = (_e998 <= _e1000);
+                                        if _e1005 {
+                                            if _e1006 {
+                                                if _e1007 {
+                                                    phi_3403_ = _e922;
                                                 } else {
-                                                    phi_3059_ = _e732;
+                                                    phi_3403_ = _e917;
                                                 }
-                                                let _e824 = phi_3059_;
-                                                let _e832 = (_e520 % 128u);
-                                                let _e833 = (_e832 < 128u);
-                                                if _e833 {
+                                                let _e1009 = phi_3403_;
+                                                let _e1017 = (_e681 % 128u);
+                                                let _e1018 = (_e1017 < 128u);
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3603_ = true;
+                                                    phi_4063_ = true;
                                                     break;
                                                 }
-                                                local_6[_e832] = _e824.member_1;
-                                                if _e833 {
+                                                local_6[_e1017] = _e1009.member_1;
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3603_ = true;
+                                                    phi_4063_ = true;
                                                     break;
                                                 }
-                                                local_5[_e832] = _e824.member.member[0];
-                                                if _e833 {
+                                                local_5[_e1017] = _e1009.member.member[0];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3603_ = true;
+                                                    phi_4063_ = true;
                                                     break;
                                                 }
-                                                local_4[_e832] = _e824.member.member[1];
-                                                if _e833 {
+                                                local_4[_e1017] = _e1009.member.member[1];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3603_ = true;
+                                                    phi_4063_ = true;
                                                     break;
                                                 }
-                                                local_3[_e832] = _e824.member.member[2];
-                                                if _e833 {
+                                                local_3[_e1017] = _e1009.member.member[2];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3603_ = true;
+                                                    phi_4063_ = true;
                                                     break;
                                                 }
-                                                local_2[_e832] = _e824.member.member_1[0];
-                                                if _e833 {
+                                                local_2[_e1017] = _e1009.member.member_1[0];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3603_ = true;
+                                                    phi_4063_ = true;
                                                     break;
                                                 }
-                                                local_1[_e832] = _e824.member.member_1[1];
-                                                if _e833 {
+                                                local_1[_e1017] = _e1009.member.member_1[1];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3603_ = true;
+                                                    phi_4063_ = true;
                                                     break;
                                                 }
-                                                local[_e832] = _e824.member.member_1[2];
-                                                if _e833 {
+                                                local[_e1017] = _e1009.member.member_1[2];
+                                                if _e1018 {
                                                 } else {
-                                                    phi_3603_ = true;
+                                                    phi_4063_ = true;
                                                     break;
                                                 }
-                                                local_8[_e832] = select(_e815, _e813, (_e813 > _e815));
-                                                if _e822 {
-                                                    phi_3136_ = _e732;
+                                                local_8[_e1017] = select(_e1000, _e998, (_e998 > _e1000));
+                                                if _e1007 {
+                                                    phi_3480_ = _e917;
                                                 } else {
-                                                    phi_3136_ = _e737;
+                                                    phi_3480_ = _e922;
                                                 }
-                                                let _e850 = phi_3136_;
-                                                phi_3137_ = _e850;
-                                                phi_3138_ = (_e520 + 1u);
+                                                let _e1035 = phi_3480_;
+                                                phi_3481_ = _e1035;
+                                                phi_3482_ = (_e681 + 1u);
                                             } else {
-                                                phi_3137_ = type_52();
-                                                phi_3138_ = u32();
+                                                phi_3481_ = type_52();
+                                                phi_3482_ = u32();
                                             }
-                                            let _e852 = phi_3137_;
-                                            let _e854 = phi_3138_;
-                                            phi_3140_ = _e852;
-                                            phi_3141_ = _e854;
-                                            phi_3142_ = select(true, false, _e821);
+                                            let _e1037 = phi_3481_;
+                                            let _e1039 = phi_3482_;
+                                            phi_3484_ = _e1037;
+                                            phi_3485_ = _e1039;
+                                            phi_3486_ = select(true, false, _e1006);
                                         } else {
-                                            phi_3140_ = type_52();
-                                            phi_3141_ = u32();
-                                            phi_3142_ = true;
+                                            phi_3484_ = type_52();
+                                            phi_3485_ = u32();
+                                            phi_3486_ = true;
                                         }
-                                        let _e857 = phi_3140_;
-                                        let _e859 = phi_3141_;
-                                        let _e861 = phi_3142_;
-                                        if _e861 {
-                                            if _e820 {
-                                                phi_3149_ = _e732;
+                                        let _e1042 = phi_3484_;
+                                        let _e1044 = phi_3485_;
+                                        let _e1046 = phi_3486_;
+                                        if _e1046 {
+                                            if _e1005 {
+                                                phi_3493_ = _e917;
                                             } else {
-                                                phi_3149_ = _e737;
+                                                phi_3493_ = _e922;
                                             }
-                                            let _e863 = phi_3149_;
-                                            phi_3154_ = _e863;
-                                            phi_3155_ = select(_e821, true, _e820);
+                                            let _e1048 = phi_3493_;
+                                            phi_3498_ = _e1048;
+                                            phi_3499_ = select(_e1006, true, _e1005);
                                         } else {
-                                            phi_3154_ = _e857;
-                                            phi_3155_ = _e518;
+                                            phi_3498_ = _e1042;
+                                            phi_3499_ = _e679;
                                         }
-                                        let _e866 = phi_3154_;
-                                        let _e868 = phi_3155_;
-                                        phi_3677_ = _e478;
-                                        phi_3607_ = _e476;
-                                        phi_3157_ = _e866;
-                                        phi_3158_ = _e868;
-                                        phi_3159_ = select(_e859, _e520, _e861);
+                                        let _e1051 = phi_3498_;
+                                        let _e1053 = phi_3499_;
+                                        phi_4148_ = _e639;
+                                        phi_4067_ = _e637;
+                                        phi_3501_ = _e1051;
+                                        phi_3502_ = _e1053;
+                                        phi_3503_ = select(_e1044, _e681, _e1046);
                                     }
-                                    let _e1595 = phi_3677_;
-                                    let _e1597 = phi_3607_;
-                                    let _e1599 = phi_3157_;
-                                    let _e1601 = phi_3158_;
-                                    let _e1603 = phi_3159_;
-                                    phi_3676_ = _e1595;
-                                    phi_3606_ = _e1597;
-                                    phi_3160_ = _e1599;
-                                    phi_3161_ = (_e482 - 1u);
-                                    phi_3162_ = _e1601;
-                                    phi_3163_ = _e1603;
+                                    let _e1798 = phi_4148_;
+                                    let _e1800 = phi_4067_;
+                                    let _e1802 = phi_3501_;
+                                    let _e1804 = phi_3502_;
+                                    let _e1806 = phi_3503_;
+                                    phi_4147_ = _e1798;
+                                    phi_4066_ = _e1800;
+                                    phi_3504_ = _e1802;
+                                    phi_3505_ = (_e643 - 1u);
+                                    phi_3506_ = _e1804;
+                                    phi_3507_ = _e1806;
                                 } else {
-                                    phi_3676_ = _e478;
-                                    phi_3606_ = _e476;
-                                    phi_3160_ = _e516;
-                                    phi_3161_ = _e482;
-                                    phi_3162_ = _e518;
-                                    phi_3163_ = _e520;
+                                    phi_4147_ = _e639;
+                                    phi_4066_ = _e637;
+                                    phi_3504_ = _e677;
+                                    phi_3505_ = _e643;
+                                    phi_3506_ = _e679;
+                                    phi_3507_ = _e681;
                                 }
-                                let _e1605 = phi_3676_;
-                                let _e1607 = phi_3606_;
-                                let _e1609 = phi_3160_;
-                                let _e1611 = phi_3161_;
-                                let _e1613 = phi_3162_;
-                                let _e1615 = phi_3163_;
-                                phi_3675_ = _e1605;
-                                phi_3605_ = _e1607;
-                                phi_3164_ = _e1609;
-                                phi_3165_ = _e1611;
-                                phi_3166_ = _e1613;
-                                phi_3167_ = _e1615;
+                                let _e1808 = phi_4147_;
+                                let _e1810 = phi_4066_;
+                                let _e1812 = phi_3504_;
+                                let _e1814 = phi_3505_;
+                                let _e1816 = phi_3506_;
+                                let _e1818 = phi_3507_;
+                                phi_4146_ = _e1808;
+                                phi_4065_ = _e1810;
+                                phi_3508_ = _e1812;
+                                phi_3509_ = _e1814;
+                                phi_3510_ = _e1816;
+                                phi_3511_ = _e1818;
                             } else {
-                                phi_3675_ = _e478;
-                                phi_3605_ = _e476;
-                                phi_3164_ = type_52();
-                                phi_3165_ = u32();
-                                phi_3166_ = bool();
-                                phi_3167_ = u32();
+                                phi_4146_ = _e639;
+                                phi_4065_ = _e637;
+                                phi_3508_ = type_52();
+                                phi_3509_ = u32();
+                                phi_3510_ = bool();
+                                phi_3511_ = u32();
                             }
-                            let _e1617 = phi_3675_;
-                            let _e1619 = phi_3605_;
-                            let _e1621 = phi_3164_;
-                            let _e1623 = phi_3165_;
-                            let _e1625 = phi_3166_;
-                            let _e1627 = phi_3167_;
-                            phi_3674_ = _e1617;
-                            phi_3604_ = _e1619;
-                            phi_838_ = _e1621;
-                            phi_841_ = _e1623;
-                            phi_843_ = _e1625;
-                            phi_845_ = _e1627;
-                            phi_3168_ = _e490;
+                            let _e1820 = phi_4146_;
+                            let _e1822 = phi_4065_;
+                            let _e1824 = phi_3508_;
+                            let _e1826 = phi_3509_;
+                            let _e1828 = phi_3510_;
+                            let _e1830 = phi_3511_;
+                            phi_4145_ = _e1820;
+                            phi_4064_ = _e1822;
+                            phi_1140_ = _e1824;
+                            phi_1143_ = _e1826;
+                            phi_1145_ = _e1828;
+                            phi_1147_ = _e1830;
+                            phi_3512_ = _e651;
                         } else {
-                            phi_3674_ = _e478;
-                            phi_3604_ = _e476;
-                            phi_838_ = type_52();
-                            phi_841_ = u32();
-                            phi_843_ = bool();
-                            phi_845_ = u32();
-                            phi_3168_ = false;
+                            phi_4145_ = _e639;
+                            phi_4064_ = _e637;
+                            phi_1140_ = type_52();
+                            phi_1143_ = u32();
+                            phi_1145_ = bool();
+                            phi_1147_ = u32();
+                            phi_3512_ = false;
                         }
-                        let _e1629 = phi_3674_;
-                        let _e1631 = phi_3604_;
-                        let _e1633 = phi_838_;
-                        let _e1635 = phi_841_;
-                        let _e1637 = phi_843_;
-                        let _e1639 = phi_845_;
-                        let _e1641 = phi_3168_;
+                        let _e1832 = phi_4145_;
+                        let _e1834 = phi_4064_;
+                        let _e1836 = phi_1140_;
+                        let _e1838 = phi_1143_;
+                        let _e1840 = phi_1145_;
+                        let _e1842 = phi_1147_;
+                        let _e1844 = phi_3512_;
                         continue;
                         continuing {
-                            phi_3468_ = _e1631;
-                            phi_3388_ = _e1629;
-                            phi_837_ = _e1633;
-                            phi_840_ = _e1635;
-                            phi_842_ = _e1637;
-                            phi_844_ = _e1639;
-                            phi_3603_ = _e1631;
-                            break if !(_e1641);
+                            phi_3910_ = _e1834;
+                            phi_3830_ = _e1832;
+                            phi_1139_ = _e1836;
+                            phi_1142_ = _e1838;
+                            phi_1144_ = _e1840;
+                            phi_1146_ = _e1842;
+                            phi_4063_ = _e1834;
+                            break if !(_e1844);
                         }
                     }
-                    let _e1644 = phi_3603_;
-                    if _e1644 {
+                    let _e1847 = phi_4063_;
+                    if _e1847 {
                         break;
                     }
-                    phi_3175_ = type_4(0u, 8u);
+                    phi_3519_ = type_4(0u, 8u);
                     loop {
-                        let _e1646 = phi_3175_;
-                        if (_e1646.member < _e1646.member_1) {
-                            phi_3176_ = type_4((_e1646.member + 1u), _e1646.member_1);
-                            phi_3199_ = type_4(1u, _e1646.member);
+                        let _e1849 = phi_3519_;
+                        if (_e1849.member < _e1849.member_1) {
+                            phi_3520_ = type_4((_e1849.member + 1u), _e1849.member_1);
+                            phi_3543_ = type_4(1u, _e1849.member);
                         } else {
-                            phi_3176_ = _e1646;
-                            phi_3199_ = type_4(0u, type_4().member_1);
+                            phi_3520_ = _e1849;
+                            phi_3543_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1659 = phi_3176_;
-                        let _e1661 = phi_3199_;
-                        let _e1665 = (bitcast<i32>(_e1661.member) != 0i);
-                        if _e1665 {
-                            let _e1666 = (_e1661.member_1 < 8u);
-                            if _e1666 {
+                        let _e1862 = phi_3520_;
+                        let _e1864 = phi_3543_;
+                        let _e1868 = (bitcast<i32>(_e1864.member) != 0i);
+                        if _e1868 {
+                            let _e1869 = (_e1864.member_1 < 8u);
+                            if _e1869 {
                             } else {
-                                phi_3667_ = true;
+                                phi_4127_ = true;
                                 break;
                             }
-                            let _e1668 = local_7[_e1661.member_1];
-                            if (_e1668.member_3 != 4294967295u) {
-                                let _e1674 = -(_e412);
-                                let _e1675 = (_e1674 / 3i);
-                                let _e1682 = bitcast<f32>((bitcast<u32>((_e1675 + 127i)) << bitcast<u32>(23i)));
-                                let _e1690 = (((_e1668.member * _e1682) * _e1682) * bitcast<f32>((bitcast<u32>(((_e1674 - (2i * _e1675)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1692 = select(340282350000000000000000000000000000000f, _e1690, (_e1690 < 340282350000000000000000000000000000000f));
-                                phi_3265_ = type_18(select(-340282350000000000000000000000000000000f, _e1692, (_e1692 > -340282350000000000000000000000000000000f)), _e1668.member_1, _e1668.member_2, _e1668.member_3);
+                            let _e1871 = local_7[_e1864.member_1];
+                            if (_e1871.member_3 != 4294967295u) {
+                                let _e1877 = -(_e508);
+                                let _e1878 = bitcast<u32>(_e1871.member);
+                                let _e1882 = (bitcast<i32>((_e1878 >> bitcast<u32>(23i))) & 255i);
+                                let _e1883 = (_e1882 + _e1877);
+                                if (_e1882 == 255i) {
+                                    phi_3616_ = _e1871.member;
+                                } else {
+                                    if (_e1882 > 0i) {
+                                        if (_e1883 > 0i) {
+                                            let _e1887 = (_e1883 < 255i);
+                                            if _e1887 {
+                                                phi_3595_ = bitcast<f32>((_e1878 + bitcast<u32>((_e1877 << bitcast<u32>(23i)))));
+                                            } else {
+                                                phi_3595_ = f32();
+                                            }
+                                            let _e1894 = phi_3595_;
+                                            phi_3597_ = _e1894;
+                                            phi_3598_ = select(true, false, _e1887);
+                                        } else {
+                                            phi_3597_ = f32();
+                                            phi_3598_ = true;
+                                        }
+                                        let _e1897 = phi_3597_;
+                                        let _e1899 = phi_3598_;
+                                        phi_3599_ = _e1897;
+                                        phi_3600_ = _e1899;
+                                    } else {
+                                        phi_3599_ = f32();
+                                        phi_3600_ = true;
+                                    }
+                                    let _e1901 = phi_3599_;
+                                    let _e1903 = phi_3600_;
+                                    if _e1903 {
+                                        let _e1904 = (_e1878 & 2147483648u);
+                                        let _e1911 = ((_e1878 & 8388607u) | (select(0u, 1u, ((_e1878 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1915 = (_e1911 == 0u);
+                                        if _e1915 {
+                                            phi_3789_ = bitcast<f32>(_e1904);
+                                        } else {
+                                            let _e1920 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1911)), 32u, _e1915) - 8u);
+                                            let _e1923 = (_e1911 << bitcast<u32>((_e1920 & 31u)));
+                                            let _e1925 = ((_e1883 + select(0i, 1i, (_e1882 == 0i))) - bitcast<i32>(_e1920));
+                                            if (_e1925 >= 255i) {
+                                                phi_3779_ = bitcast<f32>((_e1904 | 2139095040u));
+                                                phi_3780_ = f32();
+                                                phi_3781_ = true;
+                                            } else {
+                                                let _e1927 = (_e1925 > 0i);
+                                                if _e1927 {
+                                                    phi_3773_ = bitcast<f32>(((_e1904 | (bitcast<u32>(_e1925) << bitcast<u32>(23i))) | (_e1923 & 8388607u)));
+                                                    phi_3774_ = f32();
+                                                } else {
+                                                    if (_e1925 < -24i) {
+                                                        phi_3739_ = 26u;
+                                                    } else {
+                                                        phi_3739_ = bitcast<u32>((1i - _e1925));
+                                                    }
+                                                    let _e1932 = phi_3739_;
+                                                    let _e1933 = (_e1932 & 31u);
+                                                    let _e1935 = (_e1923 >> bitcast<u32>(_e1933));
+                                                    let _e1939 = (_e1923 & ((1u << bitcast<u32>(_e1933)) - 1u));
+                                                    let _e1943 = (1u << bitcast<u32>(((_e1932 - 1u) & 31u)));
+                                                    if (_e1939 > _e1943) {
+                                                        phi_3760_ = true;
+                                                    } else {
+                                                        if (_e1939 == _e1943) {
+                                                            phi_3757_ = ((_e1935 & 1u) == 1u);
+                                                        } else {
+                                                            phi_3757_ = false;
+                                                        }
+                                                        let _e1949 = phi_3757_;
+                                                        phi_3760_ = _e1949;
+                                                    }
+                                                    let _e1951 = phi_3760_;
+                                                    phi_3773_ = f32();
+                                                    phi_3774_ = bitcast<f32>((_e1904 | (_e1935 + select(0u, 1u, _e1951))));
+                                                }
+                                                let _e1964 = phi_3773_;
+                                                let _e1966 = phi_3774_;
+                                                phi_3779_ = _e1964;
+                                                phi_3780_ = _e1966;
+                                                phi_3781_ = _e1927;
+                                            }
+                                            let _e1970 = phi_3779_;
+                                            let _e1972 = phi_3780_;
+                                            let _e1974 = phi_3781_;
+                                            phi_3789_ = select(_e1972, _e1970, _e1974);
+                                        }
+                                        let _e1978 = phi_3789_;
+                                        phi_3615_ = _e1978;
+                                    } else {
+                                        phi_3615_ = _e1901;
+                                    }
+                                    let _e1980 = phi_3615_;
+                                    phi_3616_ = _e1980;
+                                }
+                                let _e1982 = phi_3616_;
+                                let _e1983 = bitcast<u32>(_e1982);
+                                if ((_e1983 & 2147483647u) >= 2139095040u) {
+                                    phi_3628_ = bitcast<f32>(((_e1983 & 2147483648u) | 2139095039u));
+                                } else {
+                                    phi_3628_ = _e1982;
+                                }
+                                let _e1990 = phi_3628_;
+                                phi_3633_ = type_18(_e1990, _e1871.member_1, _e1871.member_2, _e1871.member_3);
                             } else {
-                                phi_3265_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3633_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1697 = phi_3265_;
-                            if _e1666 {
+                            let _e1993 = phi_3633_;
+                            if _e1869 {
                             } else {
-                                phi_3667_ = true;
+                                phi_4127_ = true;
                                 break;
                             }
-                            local_7[_e1661.member_1] = type_18(_e1697.member, _e1697.member_1, _e1697.member_2, _e1697.member_3);
+                            local_7[_e1864.member_1] = type_18(_e1993.member, _e1993.member_1, _e1993.member_2, _e1993.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3175_ = _e1659;
-                            phi_3667_ = _e1644;
-                            break if !(_e1665);
+                            phi_3519_ = _e1862;
+                            phi_4127_ = _e1847;
+                            break if !(_e1868);
                         }
                     }
-                    let _e1705 = phi_3667_;
-                    if _e1705 {
+                    let _e2001 = phi_4127_;
+                    if _e2001 {
                         break;
                     }
-                    let _e1706 = local_7;
-                    if _e133 {
+                    let _e2002 = local_7;
+                    if _e139 {
                     } else {
                         break;
                     }
-                    global_5.member[_e131] = array<type_18, 8>(type_18(_e1706[0].member, _e1706[0].member_1, _e1706[0].member_2, _e1706[0].member_3), type_18(_e1706[1].member, _e1706[1].member_1, _e1706[1].member_2, _e1706[1].member_3), type_18(_e1706[2].member, _e1706[2].member_1, _e1706[2].member_2, _e1706[2].member_3), type_18(_e1706[3].member, _e1706[3].member_1, _e1706[3].member_2, _e1706[3].member_3), type_18(_e1706[4].member, _e1706[4].member_1, _e1706[4].member_2, _e1706[4].member_3), type_18(_e1706[5].member, _e1706[5].member_1, _e1706[5].member_2, _e1706[5].member_3), type_18(_e1706[6].member, _e1706[6].member_1, _e1706[6].member_2, _e1706[6].member_3), type_18(_e1706[7].member, _e1706[7].member_1, _e1706[7].member_2, _e1706[7].member_3));
+                    global_5.member[_e137] = array<type_18, 8>(type_18(_e2002[0].member, _e2002[0].member_1, _e2002[0].member_2, _e2002[0].member_3), type_18(_e2002[1].member, _e2002[1].member_1, _e2002[1].member_2, _e2002[1].member_3), type_18(_e2002[2].member, _e2002[2].member_1, _e2002[2].member_2, _e2002[2].member_3), type_18(_e2002[3].member, _e2002[3].member_1, _e2002[3].member_2, _e2002[3].member_3), type_18(_e2002[4].member, _e2002[4].member_1, _e2002[4].member_2, _e2002[4].member_3), type_18(_e2002[5].member, _e2002[5].member_1, _e2002[5].member_2, _e2002[5].member_3), type_18(_e2002[6].member, _e2002[6].member_1, _e2002[6].member_2, _e2002[6].member_3), type_18(_e2002[7].member, _e2002[7].member_1, _e2002[7].member_2, _e2002[7].member_3));
                 }
             }
             break;

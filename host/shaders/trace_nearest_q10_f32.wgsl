@@ -88,418 +88,495 @@ fn function_() {
     var local_8: array<u32, 128>;
     var local_9: array<type_25, 8>;
     var local_10: array<f32, 128>;
-    var phi_390_: i32;
-    var phi_391_: i32;
-    var phi_401_: bool;
-    var phi_411_: u32;
-    var phi_412_: u32;
-    var phi_414_: bool;
-    var phi_419_: u32;
-    var phi_431_: i32;
-    var phi_451_: i32;
-    var phi_469_: f32;
-    var phi_475_: f32;
-    var phi_486_: f32;
-    var phi_492_: f32;
-    var phi_515_: f32;
-    var phi_526_: f32;
-    var phi_535_: f32;
-    var phi_541_: f32;
+    var phi_473_: i32;
+    var phi_474_: i32;
+    var phi_484_: bool;
+    var phi_494_: u32;
+    var phi_495_: u32;
+    var phi_497_: bool;
+    var phi_502_: u32;
+    var phi_514_: i32;
+    var phi_534_: i32;
     var phi_552_: f32;
     var phi_558_: f32;
-    var phi_581_: f32;
-    var phi_592_: f32;
-    var phi_601_: f32;
-    var phi_607_: f32;
-    var phi_618_: f32;
-    var phi_624_: f32;
-    var phi_647_: f32;
-    var phi_658_: f32;
-    var phi_758_: f32;
-    var phi_759_: f32;
-    var phi_3765_: bool;
-    var phi_3693_: f32;
-    var phi_901_: type_52;
-    var phi_904_: u32;
-    var phi_906_: bool;
-    var phi_908_: u32;
-    var phi_919_: bool;
-    var phi_1006_: type_52;
-    var phi_1007_: bool;
-    var phi_1008_: u32;
-    var phi_2826_: u32;
-    var phi_2827_: u32;
-    var phi_2837_: u32;
-    var phi_2839_: u32;
-    var phi_2840_: bool;
-    var phi_2860_: u32;
-    var phi_2861_: u32;
-    var phi_2865_: type_53;
-    var phi_3210_: type_52;
-    var phi_3287_: type_52;
-    var phi_3288_: type_52;
-    var phi_3289_: u32;
-    var phi_3291_: type_52;
-    var phi_3292_: u32;
-    var phi_3293_: bool;
-    var phi_3302_: type_52;
-    var phi_3307_: type_52;
-    var phi_3308_: bool;
-    var phi_3762_: bool;
-    var phi_3752_: f32;
-    var phi_1026_: type_4;
-    var phi_1027_: type_4;
-    var phi_1050_: type_4;
-    var phi_1071_: u32;
-    var phi_1160_: array<array<f32, 3>, 3>;
-    var phi_1278_: bool;
-    var phi_1307_: bool;
-    var phi_1708_: f32;
-    var phi_1709_: f32;
-    var phi_1710_: f32;
-    var phi_1711_: f32;
-    var phi_1712_: vec3<f32>;
-    var phi_1713_: vec3<f32>;
-    var phi_1714_: vec3<f32>;
-    var phi_1715_: vec3<f32>;
-    var phi_1746_: bool;
-    var phi_1755_: vec3<f32>;
-    var phi_1920_: f32;
-    var phi_1922_: f32;
-    var phi_1923_: bool;
-    var phi_1943_: f32;
-    var phi_1944_: f32;
-    var phi_1967_: type_25;
-    var phi_1969_: type_25;
-    var phi_1970_: bool;
-    var phi_1974_: type_25;
-    var phi_1975_: type_25;
-    var phi_1976_: type_25;
-    var phi_1977_: bool;
-    var phi_1981_: type_25;
-    var phi_1982_: bool;
-    var phi_1983_: type_25;
-    var phi_1984_: bool;
-    var phi_1985_: bool;
-    var phi_1986_: type_25;
-    var phi_1987_: bool;
-    var phi_1988_: bool;
-    var phi_1996_: type_25;
-    var phi_1997_: bool;
-    var phi_2001_: type_25;
-    var phi_2013_: type_4;
-    var phi_2016_: type_25;
-    var phi_2014_: type_4;
-    var phi_2039_: type_4;
-    var phi_2071_: bool;
-    var phi_2072_: bool;
-    var phi_2093_: type_25;
-    var phi_2017_: type_25;
-    var phi_3753_: bool;
-    var phi_4128_: f32;
-    var phi_4127_: f32;
-    var phi_3898_: bool;
-    var phi_4126_: f32;
-    var phi_3897_: bool;
-    var phi_4125_: f32;
-    var phi_3896_: bool;
-    var phi_4037_: f32;
-    var phi_3895_: bool;
-    var phi_4002_: f32;
-    var phi_3904_: bool;
-    var phi_3310_: type_52;
-    var phi_3311_: bool;
-    var phi_3312_: u32;
-    var phi_4001_: f32;
-    var phi_3903_: bool;
-    var phi_3313_: type_52;
-    var phi_3314_: u32;
-    var phi_3315_: bool;
-    var phi_3316_: u32;
-    var phi_4000_: f32;
-    var phi_3902_: bool;
-    var phi_3317_: type_52;
-    var phi_3318_: u32;
-    var phi_3319_: bool;
-    var phi_3320_: u32;
-    var phi_3999_: f32;
-    var phi_3901_: bool;
-    var phi_902_: type_52;
-    var phi_905_: u32;
-    var phi_907_: bool;
-    var phi_909_: u32;
-    var phi_3321_: bool;
-    var phi_3900_: bool;
-    var phi_3328_: type_4;
-    var phi_3329_: type_4;
-    var phi_3352_: type_4;
-    var phi_3418_: type_25;
-    var phi_3992_: bool;
+    var phi_598_: f32;
+    var phi_604_: f32;
+    var phi_656_: f32;
+    var phi_667_: f32;
+    var phi_676_: f32;
+    var phi_682_: f32;
+    var phi_722_: f32;
+    var phi_728_: f32;
+    var phi_780_: f32;
+    var phi_791_: f32;
+    var phi_800_: f32;
+    var phi_806_: f32;
+    var phi_846_: f32;
+    var phi_852_: f32;
+    var phi_904_: f32;
+    var phi_915_: f32;
+    var phi_970_: i32;
+    var phi_992_: u32;
+    var phi_993_: u32;
+    var phi_1030_: i32;
+    var phi_1052_: u32;
+    var phi_1053_: u32;
+    var phi_1061_: f32;
+    var phi_1062_: f32;
+    var phi_4174_: bool;
+    var phi_4102_: f32;
+    var phi_1204_: type_52;
+    var phi_1207_: u32;
+    var phi_1209_: bool;
+    var phi_1211_: u32;
+    var phi_1222_: bool;
+    var phi_1309_: type_52;
+    var phi_1310_: bool;
+    var phi_1311_: u32;
+    var phi_3129_: u32;
+    var phi_3130_: u32;
+    var phi_3140_: u32;
+    var phi_3142_: u32;
+    var phi_3143_: bool;
+    var phi_3163_: u32;
+    var phi_3164_: u32;
+    var phi_3168_: type_53;
+    var phi_3513_: type_52;
+    var phi_3590_: type_52;
+    var phi_3591_: type_52;
+    var phi_3592_: u32;
+    var phi_3594_: type_52;
+    var phi_3595_: u32;
+    var phi_3596_: bool;
+    var phi_3605_: type_52;
+    var phi_3610_: type_52;
+    var phi_3611_: bool;
+    var phi_4171_: bool;
+    var phi_4161_: f32;
+    var phi_1329_: type_4;
+    var phi_1330_: type_4;
+    var phi_1353_: type_4;
+    var phi_1374_: u32;
+    var phi_1463_: array<array<f32, 3>, 3>;
+    var phi_1581_: bool;
+    var phi_1610_: bool;
+    var phi_2011_: f32;
+    var phi_2012_: f32;
+    var phi_2013_: f32;
+    var phi_2014_: f32;
+    var phi_2015_: vec3<f32>;
+    var phi_2016_: vec3<f32>;
+    var phi_2017_: vec3<f32>;
+    var phi_2018_: vec3<f32>;
+    var phi_2049_: bool;
+    var phi_2058_: vec3<f32>;
+    var phi_2223_: f32;
+    var phi_2225_: f32;
+    var phi_2226_: bool;
+    var phi_2246_: f32;
+    var phi_2247_: f32;
+    var phi_2270_: type_25;
+    var phi_2272_: type_25;
+    var phi_2273_: bool;
+    var phi_2277_: type_25;
+    var phi_2278_: type_25;
+    var phi_2279_: type_25;
+    var phi_2280_: bool;
+    var phi_2284_: type_25;
+    var phi_2285_: bool;
+    var phi_2286_: type_25;
+    var phi_2287_: bool;
+    var phi_2288_: bool;
+    var phi_2289_: type_25;
+    var phi_2290_: bool;
+    var phi_2291_: bool;
+    var phi_2299_: type_25;
+    var phi_2300_: bool;
+    var phi_2304_: type_25;
+    var phi_2316_: type_4;
+    var phi_2319_: type_25;
+    var phi_2317_: type_4;
+    var phi_2342_: type_4;
+    var phi_2374_: bool;
+    var phi_2375_: bool;
+    var phi_2396_: type_25;
+    var phi_2320_: type_25;
+    var phi_4162_: bool;
+    var phi_4566_: f32;
+    var phi_4565_: f32;
+    var phi_4325_: bool;
+    var phi_4564_: f32;
+    var phi_4324_: bool;
+    var phi_4563_: f32;
+    var phi_4323_: bool;
+    var phi_4475_: f32;
+    var phi_4322_: bool;
+    var phi_4440_: f32;
+    var phi_4331_: bool;
+    var phi_3613_: type_52;
+    var phi_3614_: bool;
+    var phi_3615_: u32;
+    var phi_4439_: f32;
+    var phi_4330_: bool;
+    var phi_3616_: type_52;
+    var phi_3617_: u32;
+    var phi_3618_: bool;
+    var phi_3619_: u32;
+    var phi_4438_: f32;
+    var phi_4329_: bool;
+    var phi_3620_: type_52;
+    var phi_3621_: u32;
+    var phi_3622_: bool;
+    var phi_3623_: u32;
+    var phi_4437_: f32;
+    var phi_4328_: bool;
+    var phi_1205_: type_52;
+    var phi_1208_: u32;
+    var phi_1210_: bool;
+    var phi_1212_: u32;
+    var phi_3624_: bool;
+    var phi_4327_: bool;
+    var phi_3631_: type_4;
+    var phi_3632_: type_4;
+    var phi_3655_: type_4;
+    var phi_3707_: f32;
+    var phi_3709_: f32;
+    var phi_3710_: bool;
+    var phi_3711_: f32;
+    var phi_3712_: bool;
+    var phi_3999_: u32;
+    var phi_4017_: bool;
+    var phi_4020_: bool;
+    var phi_4033_: f32;
+    var phi_4034_: f32;
+    var phi_4039_: f32;
+    var phi_4040_: f32;
+    var phi_4041_: bool;
+    var phi_4049_: f32;
+    var phi_3727_: f32;
+    var phi_3728_: f32;
+    var phi_3740_: f32;
+    var phi_3745_: type_25;
+    var phi_4419_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e89 = global;
-            let _e91 = arrayLength((&global_4.member));
-            let _e93 = arrayLength((&global_2.member));
-            let _e101 = global_3.member[0u][0u];
-            let _e105 = global_3.member[0u][1u];
-            let _e109 = global_3.member[0u][2u];
-            let _e113 = global_3.member[0u][3u];
-            let _e117 = global_3.member[1u][0u];
-            let _e121 = global_3.member[1u][1u];
-            let _e125 = global_3.member[1u][2u];
-            let _e128 = global_1.member[0u];
-            let _e129 = bitcast<i32>(_e128);
-            let _e141 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e113) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e101), bitcast<i32>(_e105), bitcast<i32>(_e109));
-            local = array<i32, 3>(bitcast<i32>(_e117), bitcast<i32>(_e121), bitcast<i32>(_e125));
-            let _e147 = (_e89.x + (_e89.y * 2097152u));
-            let _e148 = (_e147 < arrayLength((&global_5.member)));
-            if _e148 {
-                let _e149 = (_e147 < arrayLength((&global_6.member)));
-                if _e149 {
-                    if _e148 {
+            let _e95 = global;
+            let _e97 = arrayLength((&global_4.member));
+            let _e99 = arrayLength((&global_2.member));
+            let _e107 = global_3.member[0u][0u];
+            let _e111 = global_3.member[0u][1u];
+            let _e115 = global_3.member[0u][2u];
+            let _e119 = global_3.member[0u][3u];
+            let _e123 = global_3.member[1u][0u];
+            let _e127 = global_3.member[1u][1u];
+            let _e131 = global_3.member[1u][2u];
+            let _e134 = global_1.member[0u];
+            let _e135 = bitcast<i32>(_e134);
+            let _e147 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e119) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e107), bitcast<i32>(_e111), bitcast<i32>(_e115));
+            local = array<i32, 3>(bitcast<i32>(_e123), bitcast<i32>(_e127), bitcast<i32>(_e131));
+            let _e153 = (_e95.x + (_e95.y * 2097152u));
+            let _e154 = (_e153 < arrayLength((&global_5.member)));
+            if _e154 {
+                let _e155 = (_e153 < arrayLength((&global_6.member)));
+                if _e155 {
+                    if _e154 {
                     } else {
                         break;
                     }
-                    let _e157 = global_5.member[_e147].member_2[0u];
-                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
-                    let _e164 = global_5.member[_e147].member_2[1u];
-                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
-                    let _e171 = global_5.member[_e147].member_2[2u];
-                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
-                    let _e178 = global_5.member[_e147].member[0u];
-                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
-                    let _e185 = global_5.member[_e147].member[1u];
-                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
-                    let _e192 = global_5.member[_e147].member[2u];
-                    let _e194 = (bitcast<u32>(_e192) & 2147483647u);
-                    let _e196 = select(_e166, _e159, (_e166 < _e159));
-                    let _e198 = select(_e173, _e196, (_e173 < _e196));
-                    let _e200 = select(_e180, _e198, (_e180 < _e198));
-                    let _e202 = select(_e187, _e200, (_e187 < _e200));
-                    let _e204 = select(_e194, _e202, (_e194 < _e202));
-                    let _e208 = global_5.member[_e147].member_1;
-                    let _e210 = (bitcast<u32>(_e208) & 2147483647u);
-                    let _e217 = global_5.member[_e147].member_3;
-                    let _e223 = (((select(_e210, _e204, (_e210 < _e204)) < 2139095040u) && ((bitcast<u32>(_e217) & 2147483647u) <= 2139095040u)) && (_e198 > 0u));
-                    if _e223 {
-                        let _e226 = (bitcast<u32>(bitcast<f32>(_e198)) & 2147483647u);
-                        if (_e226 >= 8388608u) {
-                            phi_390_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
+                    let _e163 = global_5.member[_e153].member_2[0u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_5.member[_e153].member_2[1u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_5.member[_e153].member_2[2u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_5.member[_e153].member[0u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e191 = global_5.member[_e153].member[1u];
+                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
+                    let _e198 = global_5.member[_e153].member[2u];
+                    let _e200 = (bitcast<u32>(_e198) & 2147483647u);
+                    let _e202 = select(_e172, _e165, (_e172 < _e165));
+                    let _e204 = select(_e179, _e202, (_e179 < _e202));
+                    let _e206 = select(_e186, _e204, (_e186 < _e204));
+                    let _e208 = select(_e193, _e206, (_e193 < _e206));
+                    let _e210 = select(_e200, _e208, (_e200 < _e208));
+                    let _e214 = global_5.member[_e153].member_1;
+                    let _e215 = bitcast<u32>(_e214);
+                    let _e216 = (_e215 & 2147483647u);
+                    let _e223 = global_5.member[_e153].member_3;
+                    let _e224 = bitcast<u32>(_e223);
+                    let _e225 = (_e224 & 2147483647u);
+                    let _e229 = (((select(_e216, _e210, (_e216 < _e210)) < 2139095040u) && (_e225 <= 2139095040u)) && (_e204 > 0u));
+                    if _e229 {
+                        let _e232 = (bitcast<u32>(bitcast<f32>(_e204)) & 2147483647u);
+                        if (_e232 >= 8388608u) {
+                            phi_473_ = (bitcast<i32>((_e232 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_390_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
+                            phi_473_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e232)), 32u, (_e232 == 0u))));
                         }
-                        let _e240 = phi_390_;
-                        phi_391_ = _e240;
+                        let _e246 = phi_473_;
+                        phi_474_ = _e246;
                     } else {
-                        phi_391_ = 0i;
+                        phi_474_ = 0i;
                     }
-                    let _e242 = phi_391_;
-                    let _e243 = (_e159 == _e198);
-                    if _e243 {
-                        phi_401_ = true;
+                    let _e248 = phi_474_;
+                    let _e249 = (_e165 == _e204);
+                    if _e249 {
+                        phi_484_ = true;
                     } else {
-                        phi_401_ = (_e166 == _e198);
+                        phi_484_ = (_e172 == _e204);
                     }
-                    let _e246 = phi_401_;
-                    let _e247 = select(1u, 0u, _e243);
-                    if _e246 {
-                        let _e248 = (_e247 + 1u);
-                        phi_411_ = _e248;
-                        phi_412_ = _e248;
-                        phi_414_ = select(true, false, (_e248 == 2u));
+                    let _e252 = phi_484_;
+                    let _e253 = select(1u, 0u, _e249);
+                    if _e252 {
+                        let _e254 = (_e253 + 1u);
+                        phi_494_ = _e254;
+                        phi_495_ = _e254;
+                        phi_497_ = select(true, false, (_e254 == 2u));
                     } else {
-                        phi_411_ = u32();
-                        phi_412_ = 0u;
-                        phi_414_ = true;
+                        phi_494_ = u32();
+                        phi_495_ = 0u;
+                        phi_497_ = true;
                     }
-                    let _e252 = phi_411_;
-                    let _e254 = phi_412_;
-                    let _e256 = phi_414_;
-                    if _e256 {
-                        phi_419_ = (_e254 + 1u);
+                    let _e258 = phi_494_;
+                    let _e260 = phi_495_;
+                    let _e262 = phi_497_;
+                    if _e262 {
+                        phi_502_ = (_e260 + 1u);
                     } else {
-                        phi_419_ = 0u;
+                        phi_502_ = 0u;
                     }
-                    let _e260 = phi_419_;
-                    let _e261 = select(_e252, _e254, _e256);
-                    let _e262 = select(_e247, select(2u, _e247, _e246), _e256);
-                    if (_e129 < -126i) {
-                        phi_431_ = -126i;
+                    let _e266 = phi_502_;
+                    let _e267 = select(_e258, _e260, _e262);
+                    let _e268 = select(_e253, select(2u, _e253, _e252), _e262);
+                    if (_e135 < -126i) {
+                        phi_514_ = -126i;
                     } else {
-                        phi_431_ = select(_e129, 127i, (_e129 > 127i));
+                        phi_514_ = select(_e135, 127i, (_e135 > 127i));
                     }
-                    let _e267 = phi_431_;
-                    let _e272 = bitcast<f32>((bitcast<u32>((_e267 + 127i)) << bitcast<u32>(23i)));
-                    let _e278 = bitcast<f32>((bitcast<u32>(((_e129 - _e267) + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = -(_e242);
-                    if (_e279 < -126i) {
-                        phi_451_ = -126i;
+                    let _e273 = phi_514_;
+                    let _e278 = bitcast<f32>((bitcast<u32>((_e273 + 127i)) << bitcast<u32>(23i)));
+                    let _e284 = bitcast<f32>((bitcast<u32>(((_e135 - _e273) + 127i)) << bitcast<u32>(23i)));
+                    let _e285 = -(_e248);
+                    if (_e285 < -126i) {
+                        phi_534_ = -126i;
                     } else {
-                        phi_451_ = select(_e279, 127i, (_e279 > 127i));
+                        phi_534_ = select(_e285, 127i, (_e285 > 127i));
                     }
-                    let _e284 = phi_451_;
-                    let _e289 = bitcast<f32>((bitcast<u32>((_e284 + 127i)) << bitcast<u32>(23i)));
-                    let _e295 = bitcast<f32>((bitcast<u32>(((_e279 - _e284) + 127i)) << bitcast<u32>(23i)));
-                    let _e299 = global_5.member[_e147].member;
-                    let _e300 = (_e261 == 0u);
-                    if _e300 {
-                        phi_469_ = _e299[0];
+                    let _e290 = phi_534_;
+                    let _e295 = bitcast<f32>((bitcast<u32>((_e290 + 127i)) << bitcast<u32>(23i)));
+                    let _e301 = bitcast<f32>((bitcast<u32>(((_e285 - _e290) + 127i)) << bitcast<u32>(23i)));
+                    let _e305 = global_5.member[_e153].member;
+                    let _e306 = (_e267 == 0u);
+                    if _e306 {
+                        phi_552_ = _e305[0];
                     } else {
-                        phi_469_ = _e299[1];
+                        phi_552_ = _e305[1];
                     }
-                    let _e304 = phi_469_;
-                    let _e305 = (_e261 == 2u);
-                    if _e305 {
-                        phi_475_ = _e299[2];
+                    let _e310 = phi_552_;
+                    let _e311 = (_e267 == 2u);
+                    if _e311 {
+                        phi_558_ = _e305[2];
                     } else {
-                        phi_475_ = _e304;
+                        phi_558_ = _e310;
                     }
-                    let _e308 = phi_475_;
-                    let _e310 = ((_e308 * _e272) * _e278);
-                    let _e311 = global_5.member[_e147].member_2;
-                    if _e300 {
-                        phi_486_ = _e311[0];
+                    let _e314 = phi_558_;
+                    let _e315 = bitcast<u32>(_e314);
+                    let _e317 = ((_e315 & 2139095040u) != 0u);
+                    let _e331 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e315 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e315 & 2147483648u))), _e314, _e317) * _e278) * select(0.00000011920929f, 1f, _e317)) * _e284);
+                    let _e332 = global_5.member[_e153].member_2;
+                    if _e306 {
+                        phi_598_ = _e332[0];
                     } else {
-                        phi_486_ = _e311[1];
+                        phi_598_ = _e332[1];
                     }
-                    let _e315 = phi_486_;
-                    if _e305 {
-                        phi_492_ = _e311[2];
+                    let _e336 = phi_598_;
+                    if _e311 {
+                        phi_604_ = _e332[2];
                     } else {
-                        phi_492_ = _e315;
+                        phi_604_ = _e336;
                     }
-                    let _e318 = phi_492_;
-                    let _e320 = ((_e318 * _e289) * _e295);
-                    let _e324 = (bitcast<f32>((bitcast<u32>(_e320) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e324 {
-                        let _e328 = (bitcast<f32>((bitcast<u32>(_e310) & 2147483647u)) * 0.00000011920929f);
-                        phi_515_ = select(0.00000000000011368684f, _e328, (_e328 > 0.00000000000011368684f));
+                    let _e339 = phi_604_;
+                    let _e340 = bitcast<u32>(_e339);
+                    let _e342 = ((_e340 & 2139095040u) != 0u);
+                    let _e356 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e340 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e340 & 2147483648u))), _e339, _e342) * _e295) * select(0.00000011920929f, 1f, _e342)) * _e301);
+                    let _e360 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e360 {
+                        let _e364 = (bitcast<f32>((bitcast<u32>(_e331) & 2147483647u)) * 0.00000011920929f);
+                        phi_656_ = select(0.00000000000011368684f, _e364, (_e364 > 0.00000000000011368684f));
                     } else {
-                        phi_515_ = 0f;
+                        phi_656_ = 0f;
                     }
-                    let _e332 = phi_515_;
-                    let _e333 = (_e310 + _e332);
-                    let _e334 = (_e310 - _e332);
-                    let _e335 = select(_e320, 0f, _e324);
-                    if _e324 {
-                        phi_526_ = 38685626000000000000000000f;
+                    let _e368 = phi_656_;
+                    let _e369 = (_e331 + _e368);
+                    let _e370 = (_e331 - _e368);
+                    let _e371 = select(_e356, 0f, _e360);
+                    if _e360 {
+                        phi_667_ = 38685626000000000000000000f;
                     } else {
-                        phi_526_ = (1f / _e320);
+                        phi_667_ = (1f / _e356);
                     }
-                    let _e338 = phi_526_;
-                    let _e339 = (_e260 == 0u);
-                    if _e339 {
-                        phi_535_ = _e299[0];
+                    let _e374 = phi_667_;
+                    let _e375 = (_e266 == 0u);
+                    if _e375 {
+                        phi_676_ = _e305[0];
                     } else {
-                        phi_535_ = _e299[1];
+                        phi_676_ = _e305[1];
                     }
-                    let _e343 = phi_535_;
-                    let _e344 = (_e260 == 2u);
-                    if _e344 {
-                        phi_541_ = _e299[2];
+                    let _e379 = phi_676_;
+                    let _e380 = (_e266 == 2u);
+                    if _e380 {
+                        phi_682_ = _e305[2];
                     } else {
-                        phi_541_ = _e343;
+                        phi_682_ = _e379;
                     }
-                    let _e347 = phi_541_;
-                    let _e349 = ((_e347 * _e272) * _e278);
-                    if _e339 {
-                        phi_552_ = _e311[0];
+                    let _e383 = phi_682_;
+                    let _e384 = bitcast<u32>(_e383);
+                    let _e386 = ((_e384 & 2139095040u) != 0u);
+                    let _e400 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e383, _e386) * _e278) * select(0.00000011920929f, 1f, _e386)) * _e284);
+                    if _e375 {
+                        phi_722_ = _e332[0];
                     } else {
-                        phi_552_ = _e311[1];
+                        phi_722_ = _e332[1];
                     }
-                    let _e353 = phi_552_;
-                    if _e344 {
-                        phi_558_ = _e311[2];
+                    let _e404 = phi_722_;
+                    if _e380 {
+                        phi_728_ = _e332[2];
                     } else {
-                        phi_558_ = _e353;
+                        phi_728_ = _e404;
                     }
-                    let _e356 = phi_558_;
-                    let _e358 = ((_e356 * _e289) * _e295);
-                    let _e362 = (bitcast<f32>((bitcast<u32>(_e358) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e362 {
-                        let _e366 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) * 0.00000011920929f);
-                        phi_581_ = select(0.00000000000011368684f, _e366, (_e366 > 0.00000000000011368684f));
+                    let _e407 = phi_728_;
+                    let _e408 = bitcast<u32>(_e407);
+                    let _e410 = ((_e408 & 2139095040u) != 0u);
+                    let _e424 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e408 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e408 & 2147483648u))), _e407, _e410) * _e295) * select(0.00000011920929f, 1f, _e410)) * _e301);
+                    let _e428 = (bitcast<f32>((bitcast<u32>(_e424) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e428 {
+                        let _e432 = (bitcast<f32>((bitcast<u32>(_e400) & 2147483647u)) * 0.00000011920929f);
+                        phi_780_ = select(0.00000000000011368684f, _e432, (_e432 > 0.00000000000011368684f));
                     } else {
-                        phi_581_ = 0f;
+                        phi_780_ = 0f;
                     }
-                    let _e370 = phi_581_;
-                    let _e371 = (_e349 + _e370);
-                    let _e372 = (_e349 - _e370);
-                    let _e373 = select(_e358, 0f, _e362);
-                    if _e362 {
-                        phi_592_ = 38685626000000000000000000f;
+                    let _e436 = phi_780_;
+                    let _e437 = (_e400 + _e436);
+                    let _e438 = (_e400 - _e436);
+                    let _e439 = select(_e424, 0f, _e428);
+                    if _e428 {
+                        phi_791_ = 38685626000000000000000000f;
                     } else {
-                        phi_592_ = (1f / _e358);
+                        phi_791_ = (1f / _e424);
                     }
-                    let _e376 = phi_592_;
-                    let _e377 = (_e262 == 0u);
-                    if _e377 {
-                        phi_601_ = _e299[0];
+                    let _e442 = phi_791_;
+                    let _e443 = (_e268 == 0u);
+                    if _e443 {
+                        phi_800_ = _e305[0];
                     } else {
-                        phi_601_ = _e299[1];
+                        phi_800_ = _e305[1];
                     }
-                    let _e381 = phi_601_;
-                    let _e382 = (_e262 == 2u);
-                    if _e382 {
-                        phi_607_ = _e299[2];
+                    let _e447 = phi_800_;
+                    let _e448 = (_e268 == 2u);
+                    if _e448 {
+                        phi_806_ = _e305[2];
                     } else {
-                        phi_607_ = _e381;
+                        phi_806_ = _e447;
                     }
-                    let _e385 = phi_607_;
-                    let _e387 = ((_e385 * _e272) * _e278);
-                    if _e377 {
-                        phi_618_ = _e311[0];
+                    let _e451 = phi_806_;
+                    let _e452 = bitcast<u32>(_e451);
+                    let _e454 = ((_e452 & 2139095040u) != 0u);
+                    let _e468 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e452 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e452 & 2147483648u))), _e451, _e454) * _e278) * select(0.00000011920929f, 1f, _e454)) * _e284);
+                    if _e443 {
+                        phi_846_ = _e332[0];
                     } else {
-                        phi_618_ = _e311[1];
+                        phi_846_ = _e332[1];
                     }
-                    let _e391 = phi_618_;
-                    if _e382 {
-                        phi_624_ = _e311[2];
+                    let _e472 = phi_846_;
+                    if _e448 {
+                        phi_852_ = _e332[2];
                     } else {
-                        phi_624_ = _e391;
+                        phi_852_ = _e472;
                     }
-                    let _e394 = phi_624_;
-                    let _e396 = ((_e394 * _e289) * _e295);
-                    let _e400 = (bitcast<f32>((bitcast<u32>(_e396) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e400 {
-                        let _e404 = (bitcast<f32>((bitcast<u32>(_e387) & 2147483647u)) * 0.00000011920929f);
-                        phi_647_ = select(0.00000000000011368684f, _e404, (_e404 > 0.00000000000011368684f));
+                    let _e475 = phi_852_;
+                    let _e476 = bitcast<u32>(_e475);
+                    let _e478 = ((_e476 & 2139095040u) != 0u);
+                    let _e492 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e476 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e476 & 2147483648u))), _e475, _e478) * _e295) * select(0.00000011920929f, 1f, _e478)) * _e301);
+                    let _e496 = (bitcast<f32>((bitcast<u32>(_e492) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e496 {
+                        let _e500 = (bitcast<f32>((bitcast<u32>(_e468) & 2147483647u)) * 0.00000011920929f);
+                        phi_904_ = select(0.00000000000011368684f, _e500, (_e500 > 0.00000000000011368684f));
                     } else {
-                        phi_647_ = 0f;
+                        phi_904_ = 0f;
                     }
-                    let _e408 = phi_647_;
-                    let _e409 = (_e387 + _e408);
-                    let _e410 = (_e387 - _e408);
-                    let _e411 = select(_e396, 0f, _e400);
-                    if _e400 {
-                        phi_658_ = 38685626000000000000000000f;
+                    let _e504 = phi_904_;
+                    let _e505 = (_e468 + _e504);
+                    let _e506 = (_e468 - _e504);
+                    let _e507 = select(_e492, 0f, _e496);
+                    if _e496 {
+                        phi_915_ = 38685626000000000000000000f;
                     } else {
-                        phi_658_ = (1f / _e396);
+                        phi_915_ = (1f / _e492);
                     }
-                    let _e414 = phi_658_;
-                    let _e417 = bitcast<f32>((bitcast<u32>(_e310) & 2147483647u));
-                    let _e420 = bitcast<f32>((bitcast<u32>(_e349) & 2147483647u));
-                    let _e422 = select(_e420, _e417, (_e417 > _e420));
-                    let _e425 = bitcast<f32>((bitcast<u32>(_e387) & 2147483647u));
-                    let _e428 = (_e129 + _e242);
-                    if (_e223 && (select(_e425, _e422, (_e422 > _e425)) <= 1099511600000f)) {
-                        let _e431 = (_e428 / 3i);
-                        let _e438 = bitcast<f32>((bitcast<u32>((_e431 + 127i)) << bitcast<u32>(23i)));
-                        let _e445 = bitcast<f32>((bitcast<u32>(((_e428 - (2i * _e431)) + 127i)) << bitcast<u32>(23i)));
-                        let _e446 = (((_e208 * _e438) * _e438) * _e445);
-                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
-                        let _e453 = (((_e217 * _e438) * _e438) * _e445);
-                        let _e455 = select(340282350000000000000000000000000000000f, _e453, (_e453 < 340282350000000000000000000000000000000f));
-                        phi_758_ = select(-340282350000000000000000000000000000000f, _e455, (_e455 > -340282350000000000000000000000000000000f));
-                        phi_759_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
+                    let _e510 = phi_915_;
+                    let _e513 = bitcast<f32>((bitcast<u32>(_e331) & 2147483647u));
+                    let _e516 = bitcast<f32>((bitcast<u32>(_e400) & 2147483647u));
+                    let _e518 = select(_e516, _e513, (_e513 > _e516));
+                    let _e521 = bitcast<f32>((bitcast<u32>(_e468) & 2147483647u));
+                    let _e524 = (_e135 + _e248);
+                    if (_e229 && (select(_e521, _e518, (_e518 > _e521)) <= 1099511600000f)) {
+                        let _e534 = ((_e216 & 8388607u) | (select(0u, 1u, ((_e216 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e537 = bitcast<i32>((_e216 >> bitcast<u32>(23i)));
+                        let _e541 = (_e534 == 0u);
+                        let _e544 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e534)), 32u, _e541)) - 8i);
+                        if (_e537 == 255i) {
+                            phi_970_ = 255i;
+                        } else {
+                            phi_970_ = (((_e537 + select(0i, 1i, (_e537 == 0i))) - _e544) + _e524);
+                        }
+                        let _e552 = phi_970_;
+                        let _e562 = (_e552 <= 0i);
+                        if _e562 {
+                            phi_993_ = u32();
+                        } else {
+                            if _e541 {
+                                phi_992_ = u32();
+                            } else {
+                                phi_992_ = select(((bitcast<u32>(_e552) << bitcast<u32>(23i)) | ((_e534 << bitcast<u32>(((_e544 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e552 >= 255i));
+                            }
+                            let _e566 = phi_992_;
+                            phi_993_ = _e566;
+                        }
+                        let _e568 = phi_993_;
+                        let _e580 = ((_e225 & 8388607u) | (select(0u, 1u, ((_e225 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e583 = bitcast<i32>((_e225 >> bitcast<u32>(23i)));
+                        let _e587 = (_e580 == 0u);
+                        let _e590 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e580)), 32u, _e587)) - 8i);
+                        if (_e583 == 255i) {
+                            phi_1030_ = 255i;
+                        } else {
+                            phi_1030_ = (((_e583 + select(0i, 1i, (_e583 == 0i))) - _e590) + _e524);
+                        }
+                        let _e598 = phi_1030_;
+                        let _e608 = (_e598 <= 0i);
+                        if _e608 {
+                            phi_1053_ = u32();
+                        } else {
+                            if _e587 {
+                                phi_1052_ = u32();
+                            } else {
+                                phi_1052_ = select(((bitcast<u32>(_e598) << bitcast<u32>(23i)) | ((_e580 << bitcast<u32>(((_e590 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e598 >= 255i));
+                            }
+                            let _e612 = phi_1052_;
+                            phi_1053_ = _e612;
+                        }
+                        let _e614 = phi_1053_;
+                        phi_1061_ = bitcast<f32>(((_e224 & 2147483648u) | select(_e614, 0u, select(_e587, true, _e608))));
+                        phi_1062_ = bitcast<f32>(((_e215 & 2147483648u) | select(_e568, 0u, select(_e541, true, _e562))));
                     } else {
-                        phi_758_ = 0f;
-                        phi_759_ = 1f;
+                        phi_1061_ = 0f;
+                        phi_1062_ = 1f;
                     }
-                    let _e459 = phi_758_;
-                    let _e461 = phi_759_;
+                    let _e620 = phi_1061_;
+                    let _e622 = phi_1062_;
                     local_9 = array<type_25, 8>(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -509,1052 +586,1151 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e464 = (_e261 % 3u);
-                    let _e465 = (_e464 < 3u);
-                    if _e465 {
+                    let _e625 = (_e267 % 3u);
+                    let _e626 = (_e625 < 3u);
+                    if _e626 {
                     } else {
                         break;
                     }
-                    let _e467 = local_1[_e464];
-                    let _e470 = (_e260 % 3u);
-                    let _e471 = (_e470 < 3u);
-                    if _e471 {
+                    let _e628 = local_1[_e625];
+                    let _e631 = (_e266 % 3u);
+                    let _e632 = (_e631 < 3u);
+                    if _e632 {
                     } else {
                         break;
                     }
-                    let _e473 = local_1[_e470];
-                    let _e476 = (_e262 % 3u);
-                    let _e477 = (_e476 < 3u);
-                    if _e477 {
+                    let _e634 = local_1[_e631];
+                    let _e637 = (_e268 % 3u);
+                    let _e638 = (_e637 < 3u);
+                    if _e638 {
                     } else {
                         break;
                     }
-                    let _e479 = local_1[_e476];
-                    if _e465 {
+                    let _e640 = local_1[_e637];
+                    if _e626 {
                     } else {
                         break;
                     }
-                    let _e484 = local[_e464];
-                    if _e471 {
+                    let _e645 = local[_e625];
+                    if _e632 {
                     } else {
                         break;
                     }
-                    let _e488 = local[_e470];
-                    if _e477 {
+                    let _e649 = local[_e631];
+                    if _e638 {
                     } else {
                         break;
                     }
-                    let _e492 = local[_e476];
-                    phi_3765_ = false;
-                    phi_3693_ = _e459;
-                    phi_901_ = type_52(type_29(vec4<f32>((f32(_e467) * _e141), (f32(_e473) * _e141), (f32(_e479) * _e141), 0f), vec4<f32>((f32(_e484) * _e141), (f32(_e488) * _e141), (f32(_e492) * _e141), 0f)), select(0u, 2147483648u, (_e91 == 0u)));
-                    phi_904_ = ((3u * _e91) + 1u);
-                    phi_906_ = (_e461 <= _e459);
-                    phi_908_ = 0u;
+                    let _e653 = local[_e637];
+                    phi_4174_ = false;
+                    phi_4102_ = _e620;
+                    phi_1204_ = type_52(type_29(vec4<f32>((f32(_e628) * _e147), (f32(_e634) * _e147), (f32(_e640) * _e147), 0f), vec4<f32>((f32(_e645) * _e147), (f32(_e649) * _e147), (f32(_e653) * _e147), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
+                    phi_1207_ = ((3u * _e97) + 1u);
+                    phi_1209_ = (_e622 <= _e620);
+                    phi_1211_ = 0u;
                     loop {
-                        let _e502 = phi_3765_;
-                        let _e504 = phi_3693_;
-                        let _e506 = phi_901_;
-                        let _e508 = phi_904_;
-                        let _e510 = phi_906_;
-                        let _e512 = phi_908_;
-                        if _e510 {
-                            phi_919_ = true;
+                        let _e663 = phi_4174_;
+                        let _e665 = phi_4102_;
+                        let _e667 = phi_1204_;
+                        let _e669 = phi_1207_;
+                        let _e671 = phi_1209_;
+                        let _e673 = phi_1211_;
+                        if _e671 {
+                            phi_1222_ = true;
                         } else {
-                            phi_919_ = (_e512 > 0u);
+                            phi_1222_ = (_e673 > 0u);
                         }
-                        let _e515 = phi_919_;
-                        if _e515 {
-                            let _e516 = (_e508 > 0u);
-                            if _e516 {
-                                if _e510 {
-                                    phi_1006_ = _e506;
-                                    phi_1007_ = _e510;
-                                    phi_1008_ = _e512;
+                        let _e676 = phi_1222_;
+                        if _e676 {
+                            let _e677 = (_e669 > 0u);
+                            if _e677 {
+                                if _e671 {
+                                    phi_1309_ = _e667;
+                                    phi_1310_ = _e671;
+                                    phi_1311_ = _e673;
                                 } else {
-                                    let _e517 = (_e512 - 1u);
-                                    let _e518 = (_e517 % 128u);
-                                    let _e519 = (_e518 < 128u);
-                                    if _e519 {
+                                    let _e678 = (_e673 - 1u);
+                                    let _e679 = (_e678 % 128u);
+                                    let _e680 = (_e679 < 128u);
+                                    if _e680 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e521 = local_7[_e518];
-                                    if _e519 {
+                                    let _e682 = local_7[_e679];
+                                    if _e680 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e523 = local_6[_e518];
-                                    if _e519 {
+                                    let _e684 = local_6[_e679];
+                                    if _e680 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e525 = local_5[_e518];
-                                    if _e519 {
+                                    let _e686 = local_5[_e679];
+                                    if _e680 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e527 = local_4[_e518];
-                                    if _e519 {
+                                    let _e688 = local_4[_e679];
+                                    if _e680 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e529 = local_3[_e518];
-                                    if _e519 {
+                                    let _e690 = local_3[_e679];
+                                    if _e680 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e531 = local_2[_e518];
-                                    if _e519 {
+                                    let _e692 = local_2[_e679];
+                                    if _e680 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e536 = local_8[_e518];
-                                    if _e519 {
+                                    let _e697 = local_8[_e679];
+                                    if _e680 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e539 = local_10[_e518];
-                                    phi_1006_ = type_52(type_29(vec4<f32>(_e521, _e523, _e525, 0f), vec4<f32>(_e527, _e529, _e531, 0f)), _e536);
-                                    phi_1007_ = (_e539 <= _e504);
-                                    phi_1008_ = _e517;
+                                    let _e700 = local_10[_e679];
+                                    phi_1309_ = type_52(type_29(vec4<f32>(_e682, _e684, _e686, 0f), vec4<f32>(_e688, _e690, _e692, 0f)), _e697);
+                                    phi_1310_ = (_e700 <= _e665);
+                                    phi_1311_ = _e678;
                                 }
-                                let _e542 = phi_1006_;
-                                let _e544 = phi_1007_;
-                                let _e546 = phi_1008_;
-                                if _e544 {
-                                    if ((_e542.member_1 & 2147483648u) != 0u) {
-                                        phi_3762_ = _e502;
-                                        phi_3752_ = _e504;
-                                        phi_1026_ = type_4(0u, ((_e542.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e703 = phi_1309_;
+                                let _e705 = phi_1310_;
+                                let _e707 = phi_1311_;
+                                if _e705 {
+                                    if ((_e703.member_1 & 2147483648u) != 0u) {
+                                        phi_4171_ = _e663;
+                                        phi_4161_ = _e665;
+                                        phi_1329_ = type_4(0u, ((_e703.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e989 = phi_3762_;
-                                            let _e991 = phi_3752_;
-                                            let _e993 = phi_1026_;
-                                            if (_e993.member < _e993.member_1) {
-                                                phi_1027_ = type_4((_e993.member + 1u), _e993.member_1);
-                                                phi_1050_ = type_4(1u, _e993.member);
+                                            let _e1156 = phi_4171_;
+                                            let _e1158 = phi_4161_;
+                                            let _e1160 = phi_1329_;
+                                            if (_e1160.member < _e1160.member_1) {
+                                                phi_1330_ = type_4((_e1160.member + 1u), _e1160.member_1);
+                                                phi_1353_ = type_4(1u, _e1160.member);
                                             } else {
-                                                phi_1027_ = _e993;
-                                                phi_1050_ = type_4(0u, type_4().member_1);
+                                                phi_1330_ = _e1160;
+                                                phi_1353_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1006 = phi_1027_;
-                                            let _e1008 = phi_1050_;
-                                            let _e1012 = (bitcast<i32>(_e1008.member) != 0i);
-                                            if _e1012 {
-                                                let _e1013 = ((_e542.member_1 & 268435455u) + _e1008.member_1);
-                                                let _e1014 = (_e1013 < _e93);
-                                                if _e1014 {
-                                                    if _e1014 {
+                                            let _e1173 = phi_1330_;
+                                            let _e1175 = phi_1353_;
+                                            let _e1179 = (bitcast<i32>(_e1175.member) != 0i);
+                                            if _e1179 {
+                                                let _e1180 = ((_e703.member_1 & 268435455u) + _e1175.member_1);
+                                                let _e1181 = (_e1180 < _e99);
+                                                if _e1181 {
+                                                    if _e1181 {
                                                     } else {
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1018 = global_2.member[_e1013].member_1;
-                                                    phi_1071_ = _e1018;
+                                                    let _e1185 = global_2.member[_e1180].member_1;
+                                                    phi_1374_ = _e1185;
                                                 } else {
-                                                    phi_1071_ = 4294967295u;
+                                                    phi_1374_ = 4294967295u;
                                                 }
-                                                let _e1020 = phi_1071_;
-                                                if (_e1013 >= _e93) {
-                                                    phi_1160_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1187 = phi_1374_;
+                                                if (_e1180 >= _e99) {
+                                                    phi_1463_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1014 {
+                                                    if _e1181 {
                                                     } else {
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    if (_e464 < 9u) {
+                                                    if (_e625 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1027 = global_2.member[_e1013].member[_e464];
-                                                    if (_e470 < 9u) {
+                                                    let _e1194 = global_2.member[_e1180].member[_e625];
+                                                    if (_e631 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1033 = global_2.member[_e1013].member[_e470];
-                                                    if (_e476 < 9u) {
+                                                    let _e1200 = global_2.member[_e1180].member[_e631];
+                                                    if (_e637 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1039 = global_2.member[_e1013].member[_e476];
-                                                    let _e1041 = (3u + _e464);
-                                                    if (_e1041 < 9u) {
+                                                    let _e1206 = global_2.member[_e1180].member[_e637];
+                                                    let _e1208 = (3u + _e625);
+                                                    if (_e1208 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1047 = global_2.member[_e1013].member[_e1041];
-                                                    let _e1048 = (3u + _e470);
-                                                    if (_e1048 < 9u) {
+                                                    let _e1214 = global_2.member[_e1180].member[_e1208];
+                                                    let _e1215 = (3u + _e631);
+                                                    if (_e1215 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1054 = global_2.member[_e1013].member[_e1048];
-                                                    let _e1055 = (3u + _e476);
-                                                    if (_e1055 < 9u) {
+                                                    let _e1221 = global_2.member[_e1180].member[_e1215];
+                                                    let _e1222 = (3u + _e637);
+                                                    if (_e1222 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1061 = global_2.member[_e1013].member[_e1055];
-                                                    let _e1063 = (6u + _e464);
-                                                    if (_e1063 < 9u) {
+                                                    let _e1228 = global_2.member[_e1180].member[_e1222];
+                                                    let _e1230 = (6u + _e625);
+                                                    if (_e1230 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1069 = global_2.member[_e1013].member[_e1063];
-                                                    let _e1070 = (6u + _e470);
-                                                    if (_e1070 < 9u) {
+                                                    let _e1236 = global_2.member[_e1180].member[_e1230];
+                                                    let _e1237 = (6u + _e631);
+                                                    if (_e1237 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1076 = global_2.member[_e1013].member[_e1070];
-                                                    let _e1077 = (6u + _e476);
-                                                    if (_e1077 < 9u) {
+                                                    let _e1243 = global_2.member[_e1180].member[_e1237];
+                                                    let _e1244 = (6u + _e637);
+                                                    if (_e1244 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1083 = global_2.member[_e1013].member[_e1077];
-                                                    phi_1160_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1027, _e1033, _e1039), array<f32, 3>(_e1047, _e1054, _e1061), array<f32, 3>(_e1069, _e1076, _e1083));
+                                                    let _e1250 = global_2.member[_e1180].member[_e1244];
+                                                    phi_1463_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1194, _e1200, _e1206), array<f32, 3>(_e1214, _e1221, _e1228), array<f32, 3>(_e1236, _e1243, _e1250));
                                                 }
-                                                let _e1087 = phi_1160_;
-                                                let _e1094 = (_e1087[0][2] - _e387);
-                                                let _e1097 = (((_e1087[0][0] - _e310) * _e411) - (_e1094 * _e335));
-                                                let _e1100 = (((_e1087[0][1] - _e349) * _e411) - (_e1094 * _e373));
-                                                let _e1107 = (_e1087[1][2] - _e387);
-                                                let _e1110 = (((_e1087[1][0] - _e310) * _e411) - (_e1107 * _e335));
-                                                let _e1113 = (((_e1087[1][1] - _e349) * _e411) - (_e1107 * _e373));
-                                                let _e1120 = (_e1087[2][2] - _e387);
-                                                let _e1123 = (((_e1087[2][0] - _e310) * _e411) - (_e1120 * _e335));
-                                                let _e1126 = (((_e1087[2][1] - _e349) * _e411) - (_e1120 * _e373));
-                                                let _e1127 = (_e1123 * _e1113);
-                                                let _e1128 = (_e1126 * _e1110);
-                                                let _e1129 = (_e1097 * _e1126);
-                                                let _e1130 = (_e1100 * _e1123);
-                                                let _e1131 = (_e1110 * _e1100);
-                                                let _e1132 = (_e1113 * _e1097);
-                                                let _e1137 = (((_e1127 >= _e1128) && (_e1129 >= _e1130)) && (_e1131 >= _e1132));
-                                                if (_e1137 || (((_e1127 <= _e1128) && (_e1129 <= _e1130)) && (_e1131 <= _e1132))) {
-                                                    let _e1144 = select(-1f, 1f, _e1137);
-                                                    let _e1146 = ((_e1127 - _e1128) * _e1144);
-                                                    let _e1148 = select(0f, _e1146, (_e1146 > 0f));
-                                                    let _e1150 = ((_e1129 - _e1130) * _e1144);
-                                                    let _e1152 = select(0f, _e1150, (_e1150 > 0f));
-                                                    let _e1154 = ((_e1131 - _e1132) * _e1144);
-                                                    let _e1156 = select(0f, _e1154, (_e1154 > 0f));
-                                                    let _e1158 = ((_e1148 + _e1152) + _e1156);
-                                                    if (_e1158 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1986_ = type_25();
-                                                        phi_1987_ = true;
-                                                        phi_1988_ = false;
+                                                let _e1254 = phi_1463_;
+                                                let _e1261 = (_e1254[0][2] - _e468);
+                                                let _e1264 = (((_e1254[0][0] - _e331) * _e507) - (_e1261 * _e371));
+                                                let _e1267 = (((_e1254[0][1] - _e400) * _e507) - (_e1261 * _e439));
+                                                let _e1274 = (_e1254[1][2] - _e468);
+                                                let _e1277 = (((_e1254[1][0] - _e331) * _e507) - (_e1274 * _e371));
+                                                let _e1280 = (((_e1254[1][1] - _e400) * _e507) - (_e1274 * _e439));
+                                                let _e1287 = (_e1254[2][2] - _e468);
+                                                let _e1290 = (((_e1254[2][0] - _e331) * _e507) - (_e1287 * _e371));
+                                                let _e1293 = (((_e1254[2][1] - _e400) * _e507) - (_e1287 * _e439));
+                                                let _e1294 = (_e1290 * _e1280);
+                                                let _e1295 = (_e1293 * _e1277);
+                                                let _e1296 = (_e1264 * _e1293);
+                                                let _e1297 = (_e1267 * _e1290);
+                                                let _e1298 = (_e1277 * _e1267);
+                                                let _e1299 = (_e1280 * _e1264);
+                                                let _e1304 = (((_e1294 >= _e1295) && (_e1296 >= _e1297)) && (_e1298 >= _e1299));
+                                                if (_e1304 || (((_e1294 <= _e1295) && (_e1296 <= _e1297)) && (_e1298 <= _e1299))) {
+                                                    let _e1311 = select(-1f, 1f, _e1304);
+                                                    let _e1313 = ((_e1294 - _e1295) * _e1311);
+                                                    let _e1315 = select(0f, _e1313, (_e1313 > 0f));
+                                                    let _e1317 = ((_e1296 - _e1297) * _e1311);
+                                                    let _e1319 = select(0f, _e1317, (_e1317 > 0f));
+                                                    let _e1321 = ((_e1298 - _e1299) * _e1311);
+                                                    let _e1323 = select(0f, _e1321, (_e1321 > 0f));
+                                                    let _e1325 = ((_e1315 + _e1319) + _e1323);
+                                                    if (_e1325 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2289_ = type_25();
+                                                        phi_2290_ = true;
+                                                        phi_2291_ = false;
                                                     } else {
-                                                        let _e1161 = select(_e1110, _e1097, (_e1097 < _e1110));
-                                                        if (select(_e1123, _e1161, (_e1161 < _e1123)) > 0f) {
-                                                            phi_1278_ = true;
+                                                        let _e1328 = select(_e1277, _e1264, (_e1264 < _e1277));
+                                                        if (select(_e1290, _e1328, (_e1328 < _e1290)) > 0f) {
+                                                            phi_1581_ = true;
                                                         } else {
-                                                            let _e1166 = select(_e1110, _e1097, (_e1097 > _e1110));
-                                                            phi_1278_ = (select(_e1123, _e1166, (_e1166 > _e1123)) < 0f);
+                                                            let _e1333 = select(_e1277, _e1264, (_e1264 > _e1277));
+                                                            phi_1581_ = (select(_e1290, _e1333, (_e1333 > _e1290)) < 0f);
                                                         }
-                                                        let _e1171 = phi_1278_;
-                                                        if _e1171 {
-                                                            phi_1983_ = type_25();
-                                                            phi_1984_ = true;
-                                                            phi_1985_ = false;
+                                                        let _e1338 = phi_1581_;
+                                                        if _e1338 {
+                                                            phi_2286_ = type_25();
+                                                            phi_2287_ = true;
+                                                            phi_2288_ = false;
                                                         } else {
-                                                            let _e1173 = select(_e1113, _e1100, (_e1100 < _e1113));
-                                                            if (select(_e1126, _e1173, (_e1173 < _e1126)) > 0f) {
-                                                                phi_1307_ = true;
+                                                            let _e1340 = select(_e1280, _e1267, (_e1267 < _e1280));
+                                                            if (select(_e1293, _e1340, (_e1340 < _e1293)) > 0f) {
+                                                                phi_1610_ = true;
                                                             } else {
-                                                                let _e1178 = select(_e1113, _e1100, (_e1100 > _e1113));
-                                                                phi_1307_ = (select(_e1126, _e1178, (_e1178 > _e1126)) < 0f);
+                                                                let _e1345 = select(_e1280, _e1267, (_e1267 > _e1280));
+                                                                phi_1610_ = (select(_e1293, _e1345, (_e1345 > _e1293)) < 0f);
                                                             }
-                                                            let _e1183 = phi_1307_;
-                                                            if _e1183 {
-                                                                phi_1981_ = type_25();
-                                                                phi_1982_ = false;
+                                                            let _e1350 = phi_1610_;
+                                                            if _e1350 {
+                                                                phi_2284_ = type_25();
+                                                                phi_2285_ = false;
                                                             } else {
-                                                                let _e1185 = select(_e1087[1][0], _e1087[0][0], (_e1087[0][0] < _e1087[1][0]));
-                                                                let _e1189 = select(_e1087[1][0], _e1087[0][0], (_e1087[0][0] > _e1087[1][0]));
-                                                                let _e1193 = select(_e1087[1][1], _e1087[0][1], (_e1087[0][1] < _e1087[1][1]));
-                                                                let _e1197 = select(_e1087[1][1], _e1087[0][1], (_e1087[0][1] > _e1087[1][1]));
-                                                                let _e1201 = select(_e1087[1][2], _e1087[0][2], (_e1087[0][2] < _e1087[1][2]));
-                                                                let _e1205 = select(_e1087[1][2], _e1087[0][2], (_e1087[0][2] > _e1087[1][2]));
-                                                                let _e1210 = ((select(_e1087[2][0], _e1185, (_e1185 < _e1087[2][0])) - _e333) * _e338);
-                                                                let _e1211 = ((select(_e1087[2][0], _e1189, (_e1189 > _e1087[2][0])) - _e334) * _e338);
-                                                                let _e1214 = ((select(_e1087[2][1], _e1193, (_e1193 < _e1087[2][1])) - _e371) * _e376);
-                                                                let _e1215 = ((select(_e1087[2][1], _e1197, (_e1197 > _e1087[2][1])) - _e372) * _e376);
-                                                                let _e1218 = ((select(_e1087[2][2], _e1201, (_e1201 < _e1087[2][2])) - _e409) * _e414);
-                                                                let _e1219 = ((select(_e1087[2][2], _e1205, (_e1205 > _e1087[2][2])) - _e410) * _e414);
-                                                                let _e1221 = select(_e1219, _e1218, (_e1218 < _e1219));
-                                                                let _e1223 = select(_e1219, _e1218, (_e1218 > _e1219));
-                                                                let _e1225 = select(_e1211, _e1210, (_e1210 < _e1211));
-                                                                let _e1227 = select(_e1215, _e1214, (_e1214 < _e1215));
-                                                                let _e1229 = select(_e1227, _e1225, (_e1225 > _e1227));
-                                                                let _e1231 = select(_e1221, _e1229, (_e1229 > _e1221));
-                                                                let _e1233 = select(_e1211, _e1210, (_e1210 > _e1211));
-                                                                let _e1235 = select(_e1215, _e1214, (_e1214 > _e1215));
-                                                                let _e1237 = select(_e1235, _e1233, (_e1233 < _e1235));
-                                                                let _e1239 = select(_e1223, _e1237, (_e1237 < _e1223));
-                                                                let _e1240 = -(_e1221);
-                                                                let _e1246 = select(_e461, _e1231, (_e1231 > _e461));
-                                                                if (_e1246 > (_e1239 + (select(_e1240, _e1223, (_e1223 > _e1240)) * 0.0000019073523f))) {
-                                                                    phi_1976_ = type_25();
-                                                                    phi_1977_ = true;
+                                                                let _e1352 = select(_e1254[1][0], _e1254[0][0], (_e1254[0][0] < _e1254[1][0]));
+                                                                let _e1356 = select(_e1254[1][0], _e1254[0][0], (_e1254[0][0] > _e1254[1][0]));
+                                                                let _e1360 = select(_e1254[1][1], _e1254[0][1], (_e1254[0][1] < _e1254[1][1]));
+                                                                let _e1364 = select(_e1254[1][1], _e1254[0][1], (_e1254[0][1] > _e1254[1][1]));
+                                                                let _e1368 = select(_e1254[1][2], _e1254[0][2], (_e1254[0][2] < _e1254[1][2]));
+                                                                let _e1372 = select(_e1254[1][2], _e1254[0][2], (_e1254[0][2] > _e1254[1][2]));
+                                                                let _e1377 = ((select(_e1254[2][0], _e1352, (_e1352 < _e1254[2][0])) - _e369) * _e374);
+                                                                let _e1378 = ((select(_e1254[2][0], _e1356, (_e1356 > _e1254[2][0])) - _e370) * _e374);
+                                                                let _e1381 = ((select(_e1254[2][1], _e1360, (_e1360 < _e1254[2][1])) - _e437) * _e442);
+                                                                let _e1382 = ((select(_e1254[2][1], _e1364, (_e1364 > _e1254[2][1])) - _e438) * _e442);
+                                                                let _e1385 = ((select(_e1254[2][2], _e1368, (_e1368 < _e1254[2][2])) - _e505) * _e510);
+                                                                let _e1386 = ((select(_e1254[2][2], _e1372, (_e1372 > _e1254[2][2])) - _e506) * _e510);
+                                                                let _e1388 = select(_e1386, _e1385, (_e1385 < _e1386));
+                                                                let _e1390 = select(_e1386, _e1385, (_e1385 > _e1386));
+                                                                let _e1392 = select(_e1378, _e1377, (_e1377 < _e1378));
+                                                                let _e1394 = select(_e1382, _e1381, (_e1381 < _e1382));
+                                                                let _e1396 = select(_e1394, _e1392, (_e1392 > _e1394));
+                                                                let _e1398 = select(_e1388, _e1396, (_e1396 > _e1388));
+                                                                let _e1400 = select(_e1378, _e1377, (_e1377 > _e1378));
+                                                                let _e1402 = select(_e1382, _e1381, (_e1381 > _e1382));
+                                                                let _e1404 = select(_e1402, _e1400, (_e1400 < _e1402));
+                                                                let _e1406 = select(_e1390, _e1404, (_e1404 < _e1390));
+                                                                let _e1407 = -(_e1388);
+                                                                let _e1413 = select(_e622, _e1398, (_e1398 > _e622));
+                                                                if (_e1413 > (_e1406 + (select(_e1407, _e1390, (_e1390 > _e1407)) * 0.0000019073523f))) {
+                                                                    phi_2279_ = type_25();
+                                                                    phi_2280_ = true;
                                                                 } else {
-                                                                    let _e1248 = (_e1246 > _e991);
-                                                                    if _e1248 {
-                                                                        phi_1975_ = type_25();
+                                                                    let _e1415 = (_e1413 > _e1158);
+                                                                    if _e1415 {
+                                                                        phi_2278_ = type_25();
                                                                     } else {
-                                                                        let _e1249 = vec3<f32>(_e1087[0][0], _e1087[0][1], _e1087[0][2]);
-                                                                        let _e1250 = vec3<f32>(_e1087[1][0], _e1087[1][1], _e1087[1][2]);
-                                                                        let _e1251 = vec3<f32>(_e1087[2][0], _e1087[2][1], _e1087[2][2]);
-                                                                        let _e1252 = (_e1087[1][0] - _e1087[0][0]);
-                                                                        let _e1253 = (_e1087[1][1] - _e1087[0][1]);
-                                                                        let _e1254 = (_e1087[1][2] - _e1087[0][2]);
-                                                                        let _e1255 = vec3<f32>(_e1252, _e1253, _e1254);
-                                                                        let _e1256 = (_e1087[2][0] - _e1087[1][0]);
-                                                                        let _e1257 = (_e1087[2][1] - _e1087[1][1]);
-                                                                        let _e1258 = (_e1087[2][2] - _e1087[1][2]);
-                                                                        let _e1259 = vec3<f32>(_e1256, _e1257, _e1258);
-                                                                        let _e1260 = (_e1087[0][0] - _e1087[2][0]);
-                                                                        let _e1261 = (_e1087[0][1] - _e1087[2][1]);
-                                                                        let _e1262 = (_e1087[0][2] - _e1087[2][2]);
-                                                                        let _e1263 = vec3<f32>(_e1260, _e1261, _e1262);
-                                                                        let _e1266 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
-                                                                        let _e1269 = bitcast<f32>((bitcast<u32>(_e1253) & 2147483647u));
-                                                                        let _e1271 = select(_e1269, _e1266, (_e1266 > _e1269));
-                                                                        let _e1274 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
-                                                                        let _e1276 = select(_e1274, _e1271, (_e1271 > _e1274));
-                                                                        let _e1279 = bitcast<f32>((bitcast<u32>(_e1256) & 2147483647u));
-                                                                        let _e1282 = bitcast<f32>((bitcast<u32>(_e1257) & 2147483647u));
-                                                                        let _e1284 = select(_e1282, _e1279, (_e1279 > _e1282));
-                                                                        let _e1287 = bitcast<f32>((bitcast<u32>(_e1258) & 2147483647u));
-                                                                        let _e1289 = select(_e1287, _e1284, (_e1284 > _e1287));
-                                                                        let _e1292 = bitcast<f32>((bitcast<u32>(_e1260) & 2147483647u));
-                                                                        let _e1295 = bitcast<f32>((bitcast<u32>(_e1261) & 2147483647u));
-                                                                        let _e1297 = select(_e1295, _e1292, (_e1292 > _e1295));
-                                                                        let _e1300 = bitcast<f32>((bitcast<u32>(_e1262) & 2147483647u));
-                                                                        let _e1302 = select(_e1300, _e1297, (_e1297 > _e1300));
-                                                                        let _e1304 = select(_e1289, _e1276, (_e1276 > _e1289));
-                                                                        let _e1306 = select(_e1302, _e1304, (_e1304 > _e1302));
-                                                                        if (_e1276 == _e1306) {
-                                                                            phi_1708_ = _e1113;
-                                                                            phi_1709_ = _e1110;
-                                                                            phi_1710_ = _e1100;
-                                                                            phi_1711_ = _e1097;
-                                                                            phi_1712_ = _e1249;
-                                                                            phi_1713_ = _e1263;
-                                                                            phi_1714_ = _e1259;
-                                                                            phi_1715_ = _e1255;
+                                                                        let _e1416 = vec3<f32>(_e1254[0][0], _e1254[0][1], _e1254[0][2]);
+                                                                        let _e1417 = vec3<f32>(_e1254[1][0], _e1254[1][1], _e1254[1][2]);
+                                                                        let _e1418 = vec3<f32>(_e1254[2][0], _e1254[2][1], _e1254[2][2]);
+                                                                        let _e1419 = (_e1254[1][0] - _e1254[0][0]);
+                                                                        let _e1420 = (_e1254[1][1] - _e1254[0][1]);
+                                                                        let _e1421 = (_e1254[1][2] - _e1254[0][2]);
+                                                                        let _e1422 = vec3<f32>(_e1419, _e1420, _e1421);
+                                                                        let _e1423 = (_e1254[2][0] - _e1254[1][0]);
+                                                                        let _e1424 = (_e1254[2][1] - _e1254[1][1]);
+                                                                        let _e1425 = (_e1254[2][2] - _e1254[1][2]);
+                                                                        let _e1426 = vec3<f32>(_e1423, _e1424, _e1425);
+                                                                        let _e1427 = (_e1254[0][0] - _e1254[2][0]);
+                                                                        let _e1428 = (_e1254[0][1] - _e1254[2][1]);
+                                                                        let _e1429 = (_e1254[0][2] - _e1254[2][2]);
+                                                                        let _e1430 = vec3<f32>(_e1427, _e1428, _e1429);
+                                                                        let _e1433 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
+                                                                        let _e1436 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
+                                                                        let _e1438 = select(_e1436, _e1433, (_e1433 > _e1436));
+                                                                        let _e1441 = bitcast<f32>((bitcast<u32>(_e1421) & 2147483647u));
+                                                                        let _e1443 = select(_e1441, _e1438, (_e1438 > _e1441));
+                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
+                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
+                                                                        let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
+                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u));
+                                                                        let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
+                                                                        let _e1459 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                                        let _e1462 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
+                                                                        let _e1464 = select(_e1462, _e1459, (_e1459 > _e1462));
+                                                                        let _e1467 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
+                                                                        let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
+                                                                        let _e1471 = select(_e1456, _e1443, (_e1443 > _e1456));
+                                                                        let _e1473 = select(_e1469, _e1471, (_e1471 > _e1469));
+                                                                        if (_e1443 == _e1473) {
+                                                                            phi_2011_ = _e1280;
+                                                                            phi_2012_ = _e1277;
+                                                                            phi_2013_ = _e1267;
+                                                                            phi_2014_ = _e1264;
+                                                                            phi_2015_ = _e1416;
+                                                                            phi_2016_ = _e1430;
+                                                                            phi_2017_ = _e1426;
+                                                                            phi_2018_ = _e1422;
                                                                         } else {
-                                                                            let _e1308 = (_e1289 == _e1306);
-                                                                            let _e1313 = vec3(_e1308);
-                                                                            phi_1708_ = select(_e1100, _e1126, _e1308);
-                                                                            phi_1709_ = select(_e1097, _e1123, _e1308);
-                                                                            phi_1710_ = select(_e1126, _e1113, _e1308);
-                                                                            phi_1711_ = select(_e1123, _e1110, _e1308);
-                                                                            phi_1712_ = select(_e1251, _e1250, _e1313);
-                                                                            phi_1713_ = select(_e1259, _e1255, _e1313);
-                                                                            phi_1714_ = select(_e1255, _e1263, _e1313);
-                                                                            phi_1715_ = select(_e1263, _e1259, _e1313);
+                                                                            let _e1475 = (_e1456 == _e1473);
+                                                                            let _e1480 = vec3(_e1475);
+                                                                            phi_2011_ = select(_e1267, _e1293, _e1475);
+                                                                            phi_2012_ = select(_e1264, _e1290, _e1475);
+                                                                            phi_2013_ = select(_e1293, _e1280, _e1475);
+                                                                            phi_2014_ = select(_e1290, _e1277, _e1475);
+                                                                            phi_2015_ = select(_e1418, _e1417, _e1480);
+                                                                            phi_2016_ = select(_e1426, _e1422, _e1480);
+                                                                            phi_2017_ = select(_e1422, _e1430, _e1480);
+                                                                            phi_2018_ = select(_e1430, _e1426, _e1480);
                                                                         }
-                                                                        let _e1319 = phi_1708_;
-                                                                        let _e1321 = phi_1709_;
-                                                                        let _e1323 = phi_1710_;
-                                                                        let _e1325 = phi_1711_;
-                                                                        let _e1327 = phi_1712_;
-                                                                        let _e1329 = phi_1713_;
-                                                                        let _e1331 = phi_1714_;
-                                                                        let _e1333 = phi_1715_;
-                                                                        let _e1340 = ((_e1331.y * _e1329.z) - (_e1329.y * _e1331.z));
-                                                                        let _e1345 = ((_e1331.z * _e1329.x) - (_e1329.z * _e1331.x));
-                                                                        let _e1348 = ((_e1331.x * _e1329.y) - (_e1329.x * _e1331.y));
-                                                                        if (_e1148 >= _e1152) {
-                                                                            phi_1746_ = select(true, false, (_e1148 >= _e1156));
+                                                                        let _e1486 = phi_2011_;
+                                                                        let _e1488 = phi_2012_;
+                                                                        let _e1490 = phi_2013_;
+                                                                        let _e1492 = phi_2014_;
+                                                                        let _e1494 = phi_2015_;
+                                                                        let _e1496 = phi_2016_;
+                                                                        let _e1498 = phi_2017_;
+                                                                        let _e1500 = phi_2018_;
+                                                                        let _e1507 = ((_e1498.y * _e1496.z) - (_e1496.y * _e1498.z));
+                                                                        let _e1512 = ((_e1498.z * _e1496.x) - (_e1496.z * _e1498.x));
+                                                                        let _e1515 = ((_e1498.x * _e1496.y) - (_e1496.x * _e1498.y));
+                                                                        if (_e1315 >= _e1319) {
+                                                                            phi_2049_ = select(true, false, (_e1315 >= _e1323));
                                                                         } else {
-                                                                            phi_1746_ = true;
+                                                                            phi_2049_ = true;
                                                                         }
-                                                                        let _e1353 = phi_1746_;
-                                                                        if _e1353 {
-                                                                            phi_1755_ = select(_e1251, _e1250, vec3((_e1152 >= _e1156)));
+                                                                        let _e1520 = phi_2049_;
+                                                                        if _e1520 {
+                                                                            phi_2058_ = select(_e1418, _e1417, vec3((_e1319 >= _e1323)));
                                                                         } else {
-                                                                            phi_1755_ = _e1249;
+                                                                            phi_2058_ = _e1416;
                                                                         }
-                                                                        let _e1358 = phi_1755_;
-                                                                        let _e1369 = (((_e1340 * (_e1358.x - _e310)) + (_e1345 * (_e1358.y - _e349))) + (_e1348 * (_e1358.z - _e387)));
-                                                                        let _e1374 = (((_e1340 * _e335) + (_e1345 * _e373)) + (_e1348 * _e411));
-                                                                        let _e1375 = (_e1321 - _e1325);
-                                                                        let _e1376 = (_e1319 - _e1323);
-                                                                        let _e1384 = (-(((_e1325 * _e1375) + (_e1323 * _e1376))) / ((_e1375 * _e1375) + (_e1376 * _e1376)));
-                                                                        let _e1386 = select(1f, _e1384, (_e1384 < 1f));
-                                                                        let _e1388 = select(0f, _e1386, (_e1386 > 0f));
-                                                                        let _e1401 = ((_e1327.x + (_e1333.x * _e1388)) - _e310);
-                                                                        let _e1402 = ((_e1327.y + (_e1333.y * _e1388)) - _e349);
-                                                                        let _e1403 = ((_e1327.z + (_e1333.z * _e1388)) - _e387);
-                                                                        let _e1404 = (_e1403 / _e411);
-                                                                        let _e1416 = bitcast<f32>((bitcast<u32>(_e1401) & 2147483647u));
-                                                                        let _e1419 = bitcast<f32>((bitcast<u32>(_e1402) & 2147483647u));
-                                                                        let _e1421 = select(_e1419, _e1416, (_e1416 > _e1419));
-                                                                        let _e1424 = bitcast<f32>((bitcast<u32>(_e1403) & 2147483647u));
-                                                                        let _e1426 = select(_e1424, _e1421, (_e1421 > _e1424));
-                                                                        let _e1432 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
-                                                                        let _e1435 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
-                                                                        let _e1437 = select(_e1435, _e1432, (_e1432 > _e1435));
-                                                                        let _e1440 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1340 * _e1401) + (_e1345 * _e1402)) + (_e1348 * _e1403)) - _e1369)) & 2147483647u)) <= ((0.0000009536743f * select(_e1306, _e1426, (_e1426 > _e1306))) * select(_e1440, _e1437, (_e1437 > _e1440)))) {
-                                                                            let _e1450 = bitcast<f32>((bitcast<u32>(_e1331.x) & 2147483647u));
-                                                                            let _e1453 = bitcast<f32>((bitcast<u32>(_e1331.y) & 2147483647u));
-                                                                            let _e1455 = select(_e1453, _e1450, (_e1450 > _e1453));
-                                                                            let _e1458 = bitcast<f32>((bitcast<u32>(_e1331.z) & 2147483647u));
-                                                                            let _e1464 = bitcast<f32>((bitcast<u32>(_e1329.x) & 2147483647u));
-                                                                            let _e1467 = bitcast<f32>((bitcast<u32>(_e1329.y) & 2147483647u));
-                                                                            let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
-                                                                            let _e1472 = bitcast<f32>((bitcast<u32>(_e1329.z) & 2147483647u));
-                                                                            let _e1476 = (bitcast<f32>((bitcast<u32>(_e1374) & 2147483647u)) > ((0.0000038146973f * select(_e1458, _e1455, (_e1455 > _e1458))) * select(_e1472, _e1469, (_e1469 > _e1472))));
-                                                                            if _e1476 {
-                                                                                phi_1920_ = (_e1369 / _e1374);
+                                                                        let _e1525 = phi_2058_;
+                                                                        let _e1536 = (((_e1507 * (_e1525.x - _e331)) + (_e1512 * (_e1525.y - _e400))) + (_e1515 * (_e1525.z - _e468)));
+                                                                        let _e1541 = (((_e1507 * _e371) + (_e1512 * _e439)) + (_e1515 * _e507));
+                                                                        let _e1542 = (_e1488 - _e1492);
+                                                                        let _e1543 = (_e1486 - _e1490);
+                                                                        let _e1551 = (-(((_e1492 * _e1542) + (_e1490 * _e1543))) / ((_e1542 * _e1542) + (_e1543 * _e1543)));
+                                                                        let _e1553 = select(1f, _e1551, (_e1551 < 1f));
+                                                                        let _e1555 = select(0f, _e1553, (_e1553 > 0f));
+                                                                        let _e1568 = ((_e1494.x + (_e1500.x * _e1555)) - _e331);
+                                                                        let _e1569 = ((_e1494.y + (_e1500.y * _e1555)) - _e400);
+                                                                        let _e1570 = ((_e1494.z + (_e1500.z * _e1555)) - _e468);
+                                                                        let _e1571 = (_e1570 / _e507);
+                                                                        let _e1583 = bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u));
+                                                                        let _e1586 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
+                                                                        let _e1588 = select(_e1586, _e1583, (_e1583 > _e1586));
+                                                                        let _e1591 = bitcast<f32>((bitcast<u32>(_e1570) & 2147483647u));
+                                                                        let _e1593 = select(_e1591, _e1588, (_e1588 > _e1591));
+                                                                        let _e1599 = bitcast<f32>((bitcast<u32>(_e1507) & 2147483647u));
+                                                                        let _e1602 = bitcast<f32>((bitcast<u32>(_e1512) & 2147483647u));
+                                                                        let _e1604 = select(_e1602, _e1599, (_e1599 > _e1602));
+                                                                        let _e1607 = bitcast<f32>((bitcast<u32>(_e1515) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1507 * _e1568) + (_e1512 * _e1569)) + (_e1515 * _e1570)) - _e1536)) & 2147483647u)) <= ((0.0000009536743f * select(_e1473, _e1593, (_e1593 > _e1473))) * select(_e1607, _e1604, (_e1604 > _e1607)))) {
+                                                                            let _e1617 = bitcast<f32>((bitcast<u32>(_e1498.x) & 2147483647u));
+                                                                            let _e1620 = bitcast<f32>((bitcast<u32>(_e1498.y) & 2147483647u));
+                                                                            let _e1622 = select(_e1620, _e1617, (_e1617 > _e1620));
+                                                                            let _e1625 = bitcast<f32>((bitcast<u32>(_e1498.z) & 2147483647u));
+                                                                            let _e1631 = bitcast<f32>((bitcast<u32>(_e1496.x) & 2147483647u));
+                                                                            let _e1634 = bitcast<f32>((bitcast<u32>(_e1496.y) & 2147483647u));
+                                                                            let _e1636 = select(_e1634, _e1631, (_e1631 > _e1634));
+                                                                            let _e1639 = bitcast<f32>((bitcast<u32>(_e1496.z) & 2147483647u));
+                                                                            let _e1643 = (bitcast<f32>((bitcast<u32>(_e1541) & 2147483647u)) > ((0.0000038146973f * select(_e1625, _e1622, (_e1622 > _e1625))) * select(_e1639, _e1636, (_e1636 > _e1639))));
+                                                                            if _e1643 {
+                                                                                phi_2223_ = (_e1536 / _e1541);
                                                                             } else {
-                                                                                phi_1920_ = f32();
+                                                                                phi_2223_ = f32();
                                                                             }
-                                                                            let _e1479 = phi_1920_;
-                                                                            phi_1922_ = _e1479;
-                                                                            phi_1923_ = select(true, false, _e1476);
+                                                                            let _e1646 = phi_2223_;
+                                                                            phi_2225_ = _e1646;
+                                                                            phi_2226_ = select(true, false, _e1643);
                                                                         } else {
-                                                                            phi_1922_ = f32();
-                                                                            phi_1923_ = true;
+                                                                            phi_2225_ = f32();
+                                                                            phi_2226_ = true;
                                                                         }
-                                                                        let _e1482 = phi_1922_;
-                                                                        let _e1484 = phi_1923_;
-                                                                        if _e1484 {
-                                                                            let _e1492 = (((_e1340 * (_e1401 - (_e335 * _e1404))) + (_e1345 * (_e1402 - (_e373 * _e1404)))) / _e1374);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1492) & 2147483647u)) <= _e1306) {
-                                                                                phi_1943_ = (_e1404 + _e1492);
+                                                                        let _e1649 = phi_2225_;
+                                                                        let _e1651 = phi_2226_;
+                                                                        if _e1651 {
+                                                                            let _e1659 = (((_e1507 * (_e1568 - (_e371 * _e1571))) + (_e1512 * (_e1569 - (_e439 * _e1571)))) / _e1541);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1659) & 2147483647u)) <= _e1473) {
+                                                                                phi_2246_ = (_e1571 + _e1659);
                                                                             } else {
-                                                                                phi_1943_ = _e1404;
+                                                                                phi_2246_ = _e1571;
                                                                             }
-                                                                            let _e1499 = phi_1943_;
-                                                                            phi_1944_ = _e1499;
+                                                                            let _e1666 = phi_2246_;
+                                                                            phi_2247_ = _e1666;
                                                                         } else {
-                                                                            phi_1944_ = _e1482;
+                                                                            phi_2247_ = _e1649;
                                                                         }
-                                                                        let _e1501 = phi_1944_;
-                                                                        let _e1503 = select(_e1239, _e1501, (_e1501 < _e1239));
-                                                                        let _e1505 = select(_e1231, _e1503, (_e1503 > _e1231));
-                                                                        if (_e1505 >= _e461) {
-                                                                            let _e1507 = (_e1505 <= _e991);
-                                                                            if _e1507 {
-                                                                                let _e1508 = (1f / _e1158);
-                                                                                phi_1967_ = type_25(_e1505, (_e1152 * _e1508), (_e1156 * _e1508), _e1020);
+                                                                        let _e1668 = phi_2247_;
+                                                                        let _e1670 = select(_e1406, _e1668, (_e1668 < _e1406));
+                                                                        let _e1672 = select(_e1398, _e1670, (_e1670 > _e1398));
+                                                                        if (_e1672 >= _e622) {
+                                                                            let _e1674 = (_e1672 <= _e1158);
+                                                                            if _e1674 {
+                                                                                let _e1675 = (1f / _e1325);
+                                                                                phi_2270_ = type_25(_e1672, (_e1319 * _e1675), (_e1323 * _e1675), _e1187);
                                                                             } else {
-                                                                                phi_1967_ = type_25();
+                                                                                phi_2270_ = type_25();
                                                                             }
-                                                                            let _e1513 = phi_1967_;
-                                                                            phi_1969_ = _e1513;
-                                                                            phi_1970_ = select(true, false, _e1507);
+                                                                            let _e1680 = phi_2270_;
+                                                                            phi_2272_ = _e1680;
+                                                                            phi_2273_ = select(true, false, _e1674);
                                                                         } else {
-                                                                            phi_1969_ = type_25();
-                                                                            phi_1970_ = true;
+                                                                            phi_2272_ = type_25();
+                                                                            phi_2273_ = true;
                                                                         }
-                                                                        let _e1516 = phi_1969_;
-                                                                        let _e1518 = phi_1970_;
-                                                                        if _e1518 {
-                                                                            phi_1974_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1683 = phi_2272_;
+                                                                        let _e1685 = phi_2273_;
+                                                                        if _e1685 {
+                                                                            phi_2277_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1974_ = _e1516;
+                                                                            phi_2277_ = _e1683;
                                                                         }
-                                                                        let _e1520 = phi_1974_;
-                                                                        phi_1975_ = _e1520;
+                                                                        let _e1687 = phi_2277_;
+                                                                        phi_2278_ = _e1687;
                                                                     }
-                                                                    let _e1522 = phi_1975_;
-                                                                    phi_1976_ = _e1522;
-                                                                    phi_1977_ = _e1248;
+                                                                    let _e1689 = phi_2278_;
+                                                                    phi_2279_ = _e1689;
+                                                                    phi_2280_ = _e1415;
                                                                 }
-                                                                let _e1524 = phi_1976_;
-                                                                let _e1526 = phi_1977_;
-                                                                phi_1981_ = _e1524;
-                                                                phi_1982_ = _e1526;
+                                                                let _e1691 = phi_2279_;
+                                                                let _e1693 = phi_2280_;
+                                                                phi_2284_ = _e1691;
+                                                                phi_2285_ = _e1693;
                                                             }
-                                                            let _e1528 = phi_1981_;
-                                                            let _e1530 = phi_1982_;
-                                                            phi_1983_ = _e1528;
-                                                            phi_1984_ = _e1183;
-                                                            phi_1985_ = _e1530;
+                                                            let _e1695 = phi_2284_;
+                                                            let _e1697 = phi_2285_;
+                                                            phi_2286_ = _e1695;
+                                                            phi_2287_ = _e1350;
+                                                            phi_2288_ = _e1697;
                                                         }
-                                                        let _e1532 = phi_1983_;
-                                                        let _e1534 = phi_1984_;
-                                                        let _e1536 = phi_1985_;
-                                                        phi_1986_ = _e1532;
-                                                        phi_1987_ = _e1534;
-                                                        phi_1988_ = _e1536;
+                                                        let _e1699 = phi_2286_;
+                                                        let _e1701 = phi_2287_;
+                                                        let _e1703 = phi_2288_;
+                                                        phi_2289_ = _e1699;
+                                                        phi_2290_ = _e1701;
+                                                        phi_2291_ = _e1703;
                                                     }
-                                                    let _e1538 = phi_1986_;
-                                                    let _e1540 = phi_1987_;
-                                                    let _e1542 = phi_1988_;
-                                                    phi_1996_ = _e1538;
-                                                    phi_1997_ = select(_e1542, true, _e1540);
+                                                    let _e1705 = phi_2289_;
+                                                    let _e1707 = phi_2290_;
+                                                    let _e1709 = phi_2291_;
+                                                    phi_2299_ = _e1705;
+                                                    phi_2300_ = select(_e1709, true, _e1707);
                                                 } else {
-                                                    phi_1996_ = type_25();
-                                                    phi_1997_ = true;
+                                                    phi_2299_ = type_25();
+                                                    phi_2300_ = true;
                                                 }
-                                                let _e1545 = phi_1996_;
-                                                let _e1547 = phi_1997_;
-                                                if _e1547 {
-                                                    phi_2001_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1712 = phi_2299_;
+                                                let _e1714 = phi_2300_;
+                                                if _e1714 {
+                                                    phi_2304_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2001_ = _e1545;
+                                                    phi_2304_ = _e1712;
                                                 }
-                                                let _e1549 = phi_2001_;
-                                                if (_e1549.member_3 != 4294967295u) {
-                                                    if (_e1020 != 4294967295u) {
-                                                        phi_2013_ = type_4(0u, 8u);
-                                                        phi_2016_ = _e1549;
+                                                let _e1716 = phi_2304_;
+                                                if (_e1716.member_3 != 4294967295u) {
+                                                    if (_e1187 != 4294967295u) {
+                                                        phi_2316_ = type_4(0u, 8u);
+                                                        phi_2319_ = _e1716;
                                                         loop {
-                                                            let _e1554 = phi_2013_;
-                                                            let _e1556 = phi_2016_;
-                                                            if (_e1554.member < _e1554.member_1) {
-                                                                phi_2014_ = type_4((_e1554.member + 1u), _e1554.member_1);
-                                                                phi_2039_ = type_4(1u, _e1554.member);
+                                                            let _e1721 = phi_2316_;
+                                                            let _e1723 = phi_2319_;
+                                                            if (_e1721.member < _e1721.member_1) {
+                                                                phi_2317_ = type_4((_e1721.member + 1u), _e1721.member_1);
+                                                                phi_2342_ = type_4(1u, _e1721.member);
                                                             } else {
-                                                                phi_2014_ = _e1554;
-                                                                phi_2039_ = type_4(0u, type_4().member_1);
+                                                                phi_2317_ = _e1721;
+                                                                phi_2342_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1569 = phi_2014_;
-                                                            let _e1571 = phi_2039_;
-                                                            let _e1575 = (bitcast<i32>(_e1571.member) != 0i);
-                                                            if _e1575 {
-                                                                let _e1576 = (_e1571.member_1 < 8u);
-                                                                if _e1576 {
+                                                            let _e1736 = phi_2317_;
+                                                            let _e1738 = phi_2342_;
+                                                            let _e1742 = (bitcast<i32>(_e1738.member) != 0i);
+                                                            if _e1742 {
+                                                                let _e1743 = (_e1738.member_1 < 8u);
+                                                                if _e1743 {
                                                                 } else {
-                                                                    phi_3753_ = true;
+                                                                    phi_4162_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1581 = local_9[_e1571.member_1].member;
-                                                                if (_e1556.member < _e1581) {
-                                                                    phi_2072_ = true;
+                                                                let _e1748 = local_9[_e1738.member_1].member;
+                                                                if (_e1723.member < _e1748) {
+                                                                    phi_2375_ = true;
                                                                 } else {
-                                                                    let _e1583 = local_9[_e1571.member_1].member;
-                                                                    if (_e1556.member == _e1583) {
-                                                                        let _e1588 = local_9[_e1571.member_1].member_3;
-                                                                        phi_2071_ = (_e1556.member_3 < _e1588);
+                                                                    let _e1750 = local_9[_e1738.member_1].member;
+                                                                    if (_e1723.member == _e1750) {
+                                                                        let _e1755 = local_9[_e1738.member_1].member_3;
+                                                                        phi_2374_ = (_e1723.member_3 < _e1755);
                                                                     } else {
-                                                                        phi_2071_ = false;
+                                                                        phi_2374_ = false;
                                                                     }
-                                                                    let _e1591 = phi_2071_;
-                                                                    phi_2072_ = _e1591;
+                                                                    let _e1758 = phi_2374_;
+                                                                    phi_2375_ = _e1758;
                                                                 }
-                                                                let _e1593 = phi_2072_;
-                                                                if _e1593 {
-                                                                    if _e1576 {
+                                                                let _e1760 = phi_2375_;
+                                                                if _e1760 {
+                                                                    if _e1743 {
                                                                     } else {
-                                                                        phi_3753_ = true;
+                                                                        phi_4162_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1594 = local_9[_e1571.member_1];
-                                                                    local_9[_e1571.member_1] = type_25(_e1556.member, _e1556.member_1, _e1556.member_2, _e1556.member_3);
-                                                                    phi_2093_ = type_25(_e1594.member, _e1594.member_1, _e1594.member_2, _e1594.member_3);
+                                                                    let _e1761 = local_9[_e1738.member_1];
+                                                                    local_9[_e1738.member_1] = type_25(_e1723.member, _e1723.member_1, _e1723.member_2, _e1723.member_3);
+                                                                    phi_2396_ = type_25(_e1761.member, _e1761.member_1, _e1761.member_2, _e1761.member_3);
                                                                 } else {
-                                                                    phi_2093_ = _e1556;
+                                                                    phi_2396_ = _e1723;
                                                                 }
-                                                                let _e1605 = phi_2093_;
-                                                                phi_2017_ = _e1605;
+                                                                let _e1772 = phi_2396_;
+                                                                phi_2320_ = _e1772;
                                                             } else {
-                                                                phi_2017_ = type_25();
+                                                                phi_2320_ = type_25();
                                                             }
-                                                            let _e1607 = phi_2017_;
+                                                            let _e1774 = phi_2320_;
                                                             continue;
                                                             continuing {
-                                                                phi_2013_ = _e1569;
-                                                                phi_2016_ = _e1607;
-                                                                phi_3753_ = _e989;
-                                                                break if !(_e1575);
+                                                                phi_2316_ = _e1736;
+                                                                phi_2319_ = _e1774;
+                                                                phi_4162_ = _e1156;
+                                                                break if !(_e1742);
                                                             }
                                                         }
-                                                        let _e1610 = phi_3753_;
-                                                        phi_4037_ = _e991;
-                                                        phi_3895_ = _e1610;
-                                                        if _e1610 {
+                                                        let _e1777 = phi_4162_;
+                                                        phi_4475_ = _e1158;
+                                                        phi_4322_ = _e1777;
+                                                        if _e1777 {
                                                             break;
                                                         }
-                                                        let _e1613 = local_9[7u].member_3;
-                                                        if (_e1613 != 4294967295u) {
-                                                            let _e1617 = local_9[7u].member;
-                                                            phi_4128_ = _e1617;
+                                                        let _e1780 = local_9[7u].member_3;
+                                                        if (_e1780 != 4294967295u) {
+                                                            let _e1784 = local_9[7u].member;
+                                                            phi_4566_ = _e1784;
                                                         } else {
-                                                            phi_4128_ = _e991;
+                                                            phi_4566_ = _e1158;
                                                         }
-                                                        let _e1619 = phi_4128_;
-                                                        phi_4127_ = _e1619;
-                                                        phi_3898_ = _e1610;
+                                                        let _e1786 = phi_4566_;
+                                                        phi_4565_ = _e1786;
+                                                        phi_4325_ = _e1777;
                                                     } else {
-                                                        phi_4127_ = _e991;
-                                                        phi_3898_ = _e989;
+                                                        phi_4565_ = _e1158;
+                                                        phi_4325_ = _e1156;
                                                     }
-                                                    let _e1621 = phi_4127_;
-                                                    let _e1623 = phi_3898_;
-                                                    phi_4126_ = _e1621;
-                                                    phi_3897_ = _e1623;
+                                                    let _e1788 = phi_4565_;
+                                                    let _e1790 = phi_4325_;
+                                                    phi_4564_ = _e1788;
+                                                    phi_4324_ = _e1790;
                                                 } else {
-                                                    phi_4126_ = _e991;
-                                                    phi_3897_ = _e989;
+                                                    phi_4564_ = _e1158;
+                                                    phi_4324_ = _e1156;
                                                 }
-                                                let _e1625 = phi_4126_;
-                                                let _e1627 = phi_3897_;
-                                                phi_4125_ = _e1625;
-                                                phi_3896_ = _e1627;
+                                                let _e1792 = phi_4564_;
+                                                let _e1794 = phi_4324_;
+                                                phi_4563_ = _e1792;
+                                                phi_4323_ = _e1794;
                                             } else {
-                                                phi_4125_ = _e991;
-                                                phi_3896_ = _e989;
+                                                phi_4563_ = _e1158;
+                                                phi_4323_ = _e1156;
                                             }
-                                            let _e1629 = phi_4125_;
-                                            let _e1631 = phi_3896_;
+                                            let _e1796 = phi_4563_;
+                                            let _e1798 = phi_4323_;
                                             continue;
                                             continuing {
-                                                phi_3762_ = _e1631;
-                                                phi_3752_ = _e1629;
-                                                phi_1026_ = _e1006;
-                                                phi_4037_ = _e1629;
-                                                phi_3895_ = _e1631;
-                                                break if !(_e1012);
+                                                phi_4171_ = _e1798;
+                                                phi_4161_ = _e1796;
+                                                phi_1329_ = _e1173;
+                                                phi_4475_ = _e1796;
+                                                phi_4322_ = _e1798;
+                                                break if !(_e1179);
                                             }
                                         }
-                                        let _e1634 = phi_4037_;
-                                        let _e1636 = phi_3895_;
-                                        phi_3900_ = _e1636;
-                                        if _e1636 {
+                                        let _e1801 = phi_4475_;
+                                        let _e1803 = phi_4322_;
+                                        phi_4327_ = _e1803;
+                                        if _e1803 {
                                             break;
                                         }
-                                        phi_4002_ = _e1634;
-                                        phi_3904_ = _e1636;
-                                        phi_3310_ = _e542;
-                                        phi_3311_ = false;
-                                        phi_3312_ = _e546;
+                                        phi_4440_ = _e1801;
+                                        phi_4331_ = _e1803;
+                                        phi_3613_ = _e703;
+                                        phi_3614_ = false;
+                                        phi_3615_ = _e707;
                                     } else {
-                                        if (_e542.member_1 >= _e91) {
-                                            phi_2865_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e703.member_1 >= _e97) {
+                                            phi_3168_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e542.member_1 < _e91) {
+                                            if (_e703.member_1 < _e97) {
                                             } else {
-                                                phi_3900_ = true;
+                                                phi_4327_ = true;
                                                 break;
                                             }
-                                            let _e558 = ((1u + _e261) % 4u);
-                                            if (_e558 < 4u) {
+                                            let _e719 = ((1u + _e267) % 4u);
+                                            if (_e719 < 4u) {
                                             } else {
-                                                phi_3900_ = true;
+                                                phi_4327_ = true;
                                                 break;
                                             }
-                                            let _e563 = global_4.member[_e542.member_1][_e558];
-                                            let _e565 = (_e563 >> bitcast<u32>(11u));
-                                            let _e567 = ((1u + _e260) % 4u);
-                                            if (_e567 < 4u) {
+                                            let _e724 = global_4.member[_e703.member_1][_e719];
+                                            let _e726 = (_e724 >> bitcast<u32>(11u));
+                                            let _e728 = ((1u + _e266) % 4u);
+                                            if (_e728 < 4u) {
                                             } else {
-                                                phi_3900_ = true;
+                                                phi_4327_ = true;
                                                 break;
                                             }
-                                            let _e572 = global_4.member[_e542.member_1][_e567];
-                                            let _e574 = (_e572 >> bitcast<u32>(11u));
-                                            let _e576 = ((1u + _e262) % 4u);
-                                            if (_e576 < 4u) {
+                                            let _e733 = global_4.member[_e703.member_1][_e728];
+                                            let _e735 = (_e733 >> bitcast<u32>(11u));
+                                            let _e737 = ((1u + _e268) % 4u);
+                                            if (_e737 < 4u) {
                                             } else {
-                                                phi_3900_ = true;
+                                                phi_4327_ = true;
                                                 break;
                                             }
-                                            let _e581 = global_4.member[_e542.member_1][_e576];
-                                            let _e583 = (_e581 >> bitcast<u32>(11u));
-                                            let _e606 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.x - _e542.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e607 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.y - _e542.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e608 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.z - _e542.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e610 = select(_e141, _e606, (_e606 > _e141));
-                                            let _e612 = select(_e141, _e607, (_e607 > _e141));
-                                            let _e614 = select(_e141, _e608, (_e608 > _e141));
-                                            let _e639 = bitcast<u32>((f32(bitcast<i32>((_e563 & 1023u))) * _e610));
-                                            let _e644 = (bitcast<i32>((_e563 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e647 = bitcast<f32>((_e639 & bitcast<u32>(_e644)));
-                                            let _e648 = bitcast<u32>((f32(bitcast<i32>((_e572 & 1023u))) * _e612));
-                                            let _e653 = (bitcast<i32>((_e572 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e656 = bitcast<f32>((_e648 & bitcast<u32>(_e653)));
-                                            let _e657 = bitcast<u32>((f32(bitcast<i32>((_e581 & 1023u))) * _e614));
-                                            let _e662 = (bitcast<i32>((_e581 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e665 = bitcast<f32>((_e657 & bitcast<u32>(_e662)));
-                                            let _e669 = bitcast<f32>((_e639 & bitcast<u32>(~(_e644))));
-                                            let _e673 = bitcast<f32>((_e648 & bitcast<u32>(~(_e653))));
-                                            let _e677 = bitcast<f32>((_e657 & bitcast<u32>(~(_e662))));
-                                            let _e678 = bitcast<u32>((f32(bitcast<i32>((_e565 & 1023u))) * _e610));
-                                            let _e683 = (bitcast<i32>((_e565 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e686 = bitcast<f32>((_e678 & bitcast<u32>(_e683)));
-                                            let _e687 = bitcast<u32>((f32(bitcast<i32>((_e574 & 1023u))) * _e612));
-                                            let _e692 = (bitcast<i32>((_e574 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e695 = bitcast<f32>((_e687 & bitcast<u32>(_e692)));
-                                            let _e696 = bitcast<u32>((f32(bitcast<i32>((_e583 & 1023u))) * _e614));
-                                            let _e701 = (bitcast<i32>((_e583 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e704 = bitcast<f32>((_e696 & bitcast<u32>(_e701)));
-                                            let _e708 = bitcast<f32>((_e678 & bitcast<u32>(~(_e683))));
-                                            let _e712 = bitcast<f32>((_e687 & bitcast<u32>(~(_e692))));
-                                            let _e716 = bitcast<f32>((_e696 & bitcast<u32>(~(_e701))));
-                                            let _e746 = global_4.member[_e542.member_1][0u];
-                                            let _e750 = global_4.member[_e542.member_1][1u];
-                                            let _e754 = global_4.member[_e542.member_1][2u];
-                                            let _e758 = global_4.member[_e542.member_1][3u];
-                                            let _e770 = (((_e750 >> bitcast<u32>(22i)) | ((_e754 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e758 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e771 = (_e746 & 268435455u);
-                                            let _e772 = (_e770 & 268435455u);
-                                            let _e775 = ((_e746 >> bitcast<u32>(28u)) & 7u);
-                                            let _e783 = ((_e746 >> bitcast<u32>(31i)) | (((_e770 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e784 = (_e775 != 0u);
-                                            if (_e775 == 0u) {
-                                                phi_2827_ = _e771;
+                                            let _e742 = global_4.member[_e703.member_1][_e737];
+                                            let _e744 = (_e742 >> bitcast<u32>(11u));
+                                            let _e767 = (bitcast<f32>((bitcast<u32>((_e703.member.member_1.x - _e703.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e768 = (bitcast<f32>((bitcast<u32>((_e703.member.member_1.y - _e703.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e769 = (bitcast<f32>((bitcast<u32>((_e703.member.member_1.z - _e703.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e771 = select(_e147, _e767, (_e767 > _e147));
+                                            let _e773 = select(_e147, _e768, (_e768 > _e147));
+                                            let _e775 = select(_e147, _e769, (_e769 > _e147));
+                                            let _e806 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e724 & 1023u))) - 8388608f) * _e771));
+                                            let _e811 = (bitcast<i32>((_e724 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e814 = bitcast<f32>((_e806 & bitcast<u32>(_e811)));
+                                            let _e815 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 1023u))) - 8388608f) * _e773));
+                                            let _e820 = (bitcast<i32>((_e733 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e823 = bitcast<f32>((_e815 & bitcast<u32>(_e820)));
+                                            let _e824 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e742 & 1023u))) - 8388608f) * _e775));
+                                            let _e829 = (bitcast<i32>((_e742 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e832 = bitcast<f32>((_e824 & bitcast<u32>(_e829)));
+                                            let _e836 = bitcast<f32>((_e806 & bitcast<u32>(~(_e811))));
+                                            let _e840 = bitcast<f32>((_e815 & bitcast<u32>(~(_e820))));
+                                            let _e844 = bitcast<f32>((_e824 & bitcast<u32>(~(_e829))));
+                                            let _e845 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e726 & 1023u))) - 8388608f) * _e771));
+                                            let _e850 = (bitcast<i32>((_e726 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e853 = bitcast<f32>((_e845 & bitcast<u32>(_e850)));
+                                            let _e854 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e735 & 1023u))) - 8388608f) * _e773));
+                                            let _e859 = (bitcast<i32>((_e735 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e862 = bitcast<f32>((_e854 & bitcast<u32>(_e859)));
+                                            let _e863 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e744 & 1023u))) - 8388608f) * _e775));
+                                            let _e868 = (bitcast<i32>((_e744 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e871 = bitcast<f32>((_e863 & bitcast<u32>(_e868)));
+                                            let _e875 = bitcast<f32>((_e845 & bitcast<u32>(~(_e850))));
+                                            let _e879 = bitcast<f32>((_e854 & bitcast<u32>(~(_e859))));
+                                            let _e883 = bitcast<f32>((_e863 & bitcast<u32>(~(_e868))));
+                                            let _e913 = global_4.member[_e703.member_1][0u];
+                                            let _e917 = global_4.member[_e703.member_1][1u];
+                                            let _e921 = global_4.member[_e703.member_1][2u];
+                                            let _e925 = global_4.member[_e703.member_1][3u];
+                                            let _e937 = (((_e917 >> bitcast<u32>(22i)) | ((_e921 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e925 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e938 = (_e913 & 268435455u);
+                                            let _e939 = (_e937 & 268435455u);
+                                            let _e942 = ((_e913 >> bitcast<u32>(28u)) & 7u);
+                                            let _e950 = ((_e913 >> bitcast<u32>(31i)) | (((_e937 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e951 = (_e942 != 0u);
+                                            if (_e942 == 0u) {
+                                                phi_3130_ = _e938;
                                             } else {
-                                                if (_e775 == 7u) {
-                                                    phi_2826_ = 2147483648u;
+                                                if (_e942 == 7u) {
+                                                    phi_3129_ = 2147483648u;
                                                 } else {
-                                                    phi_2826_ = ((2147483648u | (_e775 << bitcast<u32>(28u))) | (_e772 & 268435455u));
+                                                    phi_3129_ = ((2147483648u | (_e942 << bitcast<u32>(28u))) | (_e939 & 268435455u));
                                                 }
-                                                let _e793 = phi_2826_;
-                                                phi_2827_ = _e793;
+                                                let _e960 = phi_3129_;
+                                                phi_3130_ = _e960;
                                             }
-                                            let _e795 = phi_2827_;
-                                            if _e784 {
-                                                let _e796 = (_e775 != 7u);
-                                                if _e796 {
-                                                    phi_2837_ = (_e772 + _e775);
+                                            let _e962 = phi_3130_;
+                                            if _e951 {
+                                                let _e963 = (_e942 != 7u);
+                                                if _e963 {
+                                                    phi_3140_ = (_e939 + _e942);
                                                 } else {
-                                                    phi_2837_ = u32();
+                                                    phi_3140_ = u32();
                                                 }
-                                                let _e799 = phi_2837_;
-                                                phi_2839_ = _e799;
-                                                phi_2840_ = select(true, false, _e796);
+                                                let _e966 = phi_3140_;
+                                                phi_3142_ = _e966;
+                                                phi_3143_ = select(true, false, _e963);
                                             } else {
-                                                phi_2839_ = u32();
-                                                phi_2840_ = true;
+                                                phi_3142_ = u32();
+                                                phi_3143_ = true;
                                             }
-                                            let _e802 = phi_2839_;
-                                            let _e804 = phi_2840_;
-                                            if (_e783 == 0u) {
-                                                phi_2861_ = (_e771 + select(0u, 1u, !(_e784)));
+                                            let _e969 = phi_3142_;
+                                            let _e971 = phi_3143_;
+                                            if (_e950 == 0u) {
+                                                phi_3164_ = (_e938 + select(0u, 1u, !(_e951)));
                                             } else {
-                                                if (_e783 == 7u) {
-                                                    phi_2860_ = 2147483648u;
+                                                if (_e950 == 7u) {
+                                                    phi_3163_ = 2147483648u;
                                                 } else {
-                                                    phi_2860_ = ((2147483648u | (_e783 << bitcast<u32>(28u))) | (select(_e802, _e772, _e804) & 268435455u));
+                                                    phi_3163_ = ((2147483648u | (_e950 << bitcast<u32>(28u))) | (select(_e969, _e939, _e971) & 268435455u));
                                                 }
-                                                let _e817 = phi_2860_;
-                                                phi_2861_ = _e817;
+                                                let _e984 = phi_3163_;
+                                                phi_3164_ = _e984;
                                             }
-                                            let _e819 = phi_2861_;
-                                            phi_2865_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e542.member.member.x + _e647), (_e542.member.member.x + _e669), (_e542.member.member_1.x - _e686), (_e542.member.member_1.x - _e708)), vec4<f32>((_e542.member.member.y + _e656), (_e542.member.member.y + _e673), (_e542.member.member_1.y - _e695), (_e542.member.member_1.y - _e712)), vec4<f32>((_e542.member.member.z + _e665), (_e542.member.member.z + _e677), (_e542.member.member_1.z - _e704), (_e542.member.member_1.z - _e716))), type_52(type_29((_e542.member.member + vec4<f32>(_e647, _e656, _e665, 0f)), (_e542.member.member_1 - vec4<f32>(_e686, _e695, _e704, 0f))), _e795), type_52(type_29((_e542.member.member + vec4<f32>(_e669, _e673, _e677, 0f)), (_e542.member.member_1 - vec4<f32>(_e708, _e712, _e716, 0f))), _e819));
+                                            let _e986 = phi_3164_;
+                                            phi_3168_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e703.member.member.x + _e814), (_e703.member.member.x + _e836), (_e703.member.member_1.x - _e853), (_e703.member.member_1.x - _e875)), vec4<f32>((_e703.member.member.y + _e823), (_e703.member.member.y + _e840), (_e703.member.member_1.y - _e862), (_e703.member.member_1.y - _e879)), vec4<f32>((_e703.member.member.z + _e832), (_e703.member.member.z + _e844), (_e703.member.member_1.z - _e871), (_e703.member.member_1.z - _e883))), type_52(type_29((_e703.member.member + vec4<f32>(_e814, _e823, _e832, 0f)), (_e703.member.member_1 - vec4<f32>(_e853, _e862, _e871, 0f))), _e962), type_52(type_29((_e703.member.member + vec4<f32>(_e836, _e840, _e844, 0f)), (_e703.member.member_1 - vec4<f32>(_e875, _e879, _e883, 0f))), _e986));
                                         }
-                                        let _e824 = phi_2865_;
-                                        let _e835 = ((_e824.member[0].x - _e333) * _e338);
-                                        let _e836 = ((_e824.member[0].y - _e333) * _e338);
-                                        let _e837 = ((_e824.member[0].z - _e334) * _e338);
-                                        let _e838 = ((_e824.member[0].w - _e334) * _e338);
-                                        let _e848 = ((_e824.member[1].x - _e371) * _e376);
-                                        let _e849 = ((_e824.member[1].y - _e371) * _e376);
-                                        let _e850 = ((_e824.member[1].z - _e372) * _e376);
-                                        let _e851 = ((_e824.member[1].w - _e372) * _e376);
-                                        let _e861 = ((_e824.member[2].x - _e409) * _e414);
-                                        let _e862 = ((_e824.member[2].y - _e409) * _e414);
-                                        let _e863 = ((_e824.member[2].z - _e410) * _e414);
-                                        let _e864 = ((_e824.member[2].w - _e410) * _e414);
-                                        let _e866 = select(_e863, _e861, (_e861 < _e863));
-                                        let _e868 = select(_e864, _e862, (_e862 < _e864));
-                                        let _e870 = select(_e863, _e861, (_e861 > _e863));
-                                        let _e872 = select(_e864, _e862, (_e862 > _e864));
-                                        let _e874 = select(_e837, _e835, (_e835 < _e837));
-                                        let _e876 = select(_e838, _e836, (_e836 < _e838));
-                                        let _e878 = select(_e850, _e848, (_e848 < _e850));
-                                        let _e880 = select(_e851, _e849, (_e849 < _e851));
-                                        let _e882 = select(_e878, _e874, (_e874 > _e878));
-                                        let _e884 = select(_e880, _e876, (_e876 > _e880));
-                                        let _e886 = select(_e866, _e882, (_e882 > _e866));
-                                        let _e888 = select(_e868, _e884, (_e884 > _e868));
-                                        let _e890 = select(_e837, _e835, (_e835 > _e837));
-                                        let _e892 = select(_e838, _e836, (_e836 > _e838));
-                                        let _e894 = select(_e850, _e848, (_e848 > _e850));
-                                        let _e896 = select(_e851, _e849, (_e849 > _e851));
-                                        let _e898 = select(_e894, _e890, (_e890 < _e894));
-                                        let _e900 = select(_e896, _e892, (_e892 < _e896));
-                                        let _e905 = -(_e866);
-                                        let _e906 = -(_e868);
-                                        let _e913 = (select(_e870, _e898, (_e898 < _e870)) + (select(_e905, _e870, (_e870 > _e905)) * 0.0000019073523f));
-                                        let _e914 = (select(_e872, _e900, (_e900 < _e872)) + (select(_e906, _e872, (_e872 > _e906)) * 0.0000019073523f));
-                                        let _e916 = select(_e461, _e886, (_e886 > _e461));
-                                        let _e918 = select(_e461, _e888, (_e888 > _e461));
-                                        let _e923 = (_e916 <= select(_e504, _e913, (_e913 < _e504)));
-                                        let _e924 = (_e918 <= select(_e504, _e914, (_e914 < _e504)));
-                                        let _e925 = (_e916 <= _e918);
-                                        if _e923 {
-                                            if _e924 {
-                                                if _e925 {
-                                                    phi_3210_ = _e824.member_2;
+                                        let _e991 = phi_3168_;
+                                        let _e1002 = ((_e991.member[0].x - _e369) * _e374);
+                                        let _e1003 = ((_e991.member[0].y - _e369) * _e374);
+                                        let _e1004 = ((_e991.member[0].z - _e370) * _e374);
+                                        let _e1005 = ((_e991.member[0].w - _e370) * _e374);
+                                        let _e1015 = ((_e991.member[1].x - _e437) * _e442);
+                                        let _e1016 = ((_e991.member[1].y - _e437) * _e442);
+                                        let _e1017 = ((_e991.member[1].z - _e438) * _e442);
+                                        let _e1018 = ((_e991.member[1].w - _e438) * _e442);
+                                        let _e1028 = ((_e991.member[2].x - _e505) * _e510);
+                                        let _e1029 = ((_e991.member[2].y - _e505) * _e510);
+                                        let _e1030 = ((_e991.member[2].z - _e506) * _e510);
+                                        let _e1031 = ((_e991.member[2].w - _e506) * _e510);
+                                        let _e1033 = select(_e1030, _e1028, (_e1028 < _e1030));
+                                        let _e1035 = select(_e1031, _e1029, (_e1029 < _e1031));
+                                        let _e1037 = select(_e1030, _e1028, (_e1028 > _e1030));
+                                        let _e1039 = select(_e1031, _e1029, (_e1029 > _e1031));
+                                        let _e1041 = select(_e1004, _e1002, (_e1002 < _e1004));
+                                        let _e1043 = select(_e1005, _e1003, (_e1003 < _e1005));
+                                        let _e1045 = select(_e1017, _e1015, (_e1015 < _e1017));
+                                        let _e1047 = select(_e1018, _e1016, (_e1016 < _e1018));
+                                        let _e1049 = select(_e1045, _e1041, (_e1041 > _e1045));
+                                        let _e1051 = select(_e1047, _e1043, (_e1043 > _e1047));
+                                        let _e1053 = select(_e1033, _e1049, (_e1049 > _e1033));
+                                        let _e1055 = select(_e1035, _e1051, (_e1051 > _e1035));
+                                        let _e1057 = select(_e1004, _e1002, (_e1002 > _e1004));
+                                        let _e1059 = select(_e1005, _e1003, (_e1003 > _e1005));
+                                        let _e1061 = select(_e1017, _e1015, (_e1015 > _e1017));
+                                        let _e1063 = select(_e1018, _e1016, (_e1016 > _e1018));
+                                        let _e1065 = select(_e1061, _e1057, (_e1057 < _e1061));
+                                        let _e1067 = select(_e1063, _e1059, (_e1059 < _e1063));
+                                        let _e1072 = -(_e1033);
+                                        let _e1073 = -(_e1035);
+                                        let _e1080 = (select(_e1037, _e1065, (_e1065 < _e1037)) + (select(_e1072, _e1037, (_e1037 > _e1072)) * 0.0000019073523f));
+                                        let _e1081 = (select(_e1039, _e1067, (_e1067 < _e1039)) + (select(_e1073, _e1039, (_e1039 > _e1073)) * 0.0000019073523f));
+                                        let _e1083 = select(_e622, _e1053, (_e1053 > _e622));
+                                        let _e1085 = select(_e622, _e1055, (_e1055 > _e622));
+                                        let _e1090 = (_e1083 <= select(_e665, _e1080, (_e1080 < _e665)));
+                                        let _e1091 = (_e1085 <= select(_e665, _e1081, (_e1081 < _e665)));
+                                        let _e1092 = (_e1083 <= _e1085);
+                                        if _e1090 {
+                                            if _e1091 {
+                                                if _e1092 {
+                                                    phi_3513_ = _e991.member_2;
                                                 } else {
-                                                    phi_3210_ = _e824.member_1;
+                                                    phi_3513_ = _e991.member_1;
                                                 }
-                                                let _e929 = phi_3210_;
-                                                let _e951 = (_e546 % 128u);
-                                                let _e952 = (_e951 < 128u);
-                                                if _e952 {
+                                                let _e1096 = phi_3513_;
+                                                let _e1118 = (_e707 % 128u);
+                                                let _e1119 = (_e1118 < 128u);
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_8[_e951] = _e929.member_1;
-                                                if _e952 {
+                                                local_8[_e1118] = _e1096.member_1;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_7[_e951] = _e929.member.member.x;
-                                                if _e952 {
+                                                local_7[_e1118] = _e1096.member.member.x;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_6[_e951] = _e929.member.member.y;
-                                                if _e952 {
+                                                local_6[_e1118] = _e1096.member.member.y;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_5[_e951] = _e929.member.member.z;
-                                                if _e952 {
+                                                local_5[_e1118] = _e1096.member.member.z;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_4[_e951] = _e929.member.member_1.x;
-                                                if _e952 {
+                                                local_4[_e1118] = _e1096.member.member_1.x;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_3[_e951] = _e929.member.member_1.y;
-                                                if _e952 {
+                                                local_3[_e1118] = _e1096.member.member_1.y;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_2[_e951] = _e929.member.member_1.z;
-                                                if _e952 {
+                                                local_2[_e1118] = _e1096.member.member_1.z;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_10[_e951] = select(_e918, _e916, (_e916 > _e918));
-                                                if _e925 {
-                                                    phi_3287_ = _e824.member_1;
+                                                local_10[_e1118] = select(_e1085, _e1083, (_e1083 > _e1085));
+                                                if _e1092 {
+                                                    phi_3590_ = _e991.member_1;
                                                 } else {
-                                                    phi_3287_ = _e824.member_2;
+                                                    phi_3590_ = _e991.member_2;
                                                 }
-                                                let _e965 = phi_3287_;
-                                                phi_3288_ = _e965;
-                                                phi_3289_ = (_e546 + 1u);
+                                                let _e1132 = phi_3590_;
+                                                phi_3591_ = _e1132;
+                                                phi_3592_ = (_e707 + 1u);
                                             } else {
-                                                phi_3288_ = type_52();
-                                                phi_3289_ = u32();
+                                                phi_3591_ = type_52();
+                                                phi_3592_ = u32();
                                             }
-                                            let _e967 = phi_3288_;
-                                            let _e969 = phi_3289_;
-                                            phi_3291_ = _e967;
-                                            phi_3292_ = _e969;
-                                            phi_3293_ = select(true, false, _e924);
+                                            let _e1134 = phi_3591_;
+                                            let _e1136 = phi_3592_;
+                                            phi_3594_ = _e1134;
+                                            phi_3595_ = _e1136;
+                                            phi_3596_ = select(true, false, _e1091);
                                         } else {
-                                            phi_3291_ = type_52();
-                                            phi_3292_ = u32();
-                                            phi_3293_ = true;
+                                            phi_3594_ = type_52();
+                                            phi_3595_ = u32();
+                                            phi_3596_ = true;
                                         }
-                                        let _e972 = phi_3291_;
-                                        let _e974 = phi_3292_;
-                                        let _e976 = phi_3293_;
-                                        if _e976 {
-                                            if _e923 {
-                                                phi_3302_ = _e824.member_1;
+                                        let _e1139 = phi_3594_;
+                                        let _e1141 = phi_3595_;
+                                        let _e1143 = phi_3596_;
+                                        if _e1143 {
+                                            if _e1090 {
+                                                phi_3605_ = _e991.member_1;
                                             } else {
-                                                phi_3302_ = _e824.member_2;
+                                                phi_3605_ = _e991.member_2;
                                             }
-                                            let _e980 = phi_3302_;
-                                            phi_3307_ = _e980;
-                                            phi_3308_ = select(_e924, true, _e923);
+                                            let _e1147 = phi_3605_;
+                                            phi_3610_ = _e1147;
+                                            phi_3611_ = select(_e1091, true, _e1090);
                                         } else {
-                                            phi_3307_ = _e972;
-                                            phi_3308_ = _e544;
+                                            phi_3610_ = _e1139;
+                                            phi_3611_ = _e705;
                                         }
-                                        let _e983 = phi_3307_;
-                                        let _e985 = phi_3308_;
-                                        phi_4002_ = _e504;
-                                        phi_3904_ = _e502;
-                                        phi_3310_ = _e983;
-                                        phi_3311_ = _e985;
-                                        phi_3312_ = select(_e974, _e546, _e976);
+                                        let _e1150 = phi_3610_;
+                                        let _e1152 = phi_3611_;
+                                        phi_4440_ = _e665;
+                                        phi_4331_ = _e663;
+                                        phi_3613_ = _e1150;
+                                        phi_3614_ = _e1152;
+                                        phi_3615_ = select(_e1141, _e707, _e1143);
                                     }
-                                    let _e1638 = phi_4002_;
-                                    let _e1640 = phi_3904_;
-                                    let _e1642 = phi_3310_;
-                                    let _e1644 = phi_3311_;
-                                    let _e1646 = phi_3312_;
-                                    phi_4001_ = _e1638;
-                                    phi_3903_ = _e1640;
-                                    phi_3313_ = _e1642;
-                                    phi_3314_ = (_e508 - 1u);
-                                    phi_3315_ = _e1644;
-                                    phi_3316_ = _e1646;
+                                    let _e1805 = phi_4440_;
+                                    let _e1807 = phi_4331_;
+                                    let _e1809 = phi_3613_;
+                                    let _e1811 = phi_3614_;
+                                    let _e1813 = phi_3615_;
+                                    phi_4439_ = _e1805;
+                                    phi_4330_ = _e1807;
+                                    phi_3616_ = _e1809;
+                                    phi_3617_ = (_e669 - 1u);
+                                    phi_3618_ = _e1811;
+                                    phi_3619_ = _e1813;
                                 } else {
-                                    phi_4001_ = _e504;
-                                    phi_3903_ = _e502;
-                                    phi_3313_ = _e542;
-                                    phi_3314_ = _e508;
-                                    phi_3315_ = _e544;
-                                    phi_3316_ = _e546;
+                                    phi_4439_ = _e665;
+                                    phi_4330_ = _e663;
+                                    phi_3616_ = _e703;
+                                    phi_3617_ = _e669;
+                                    phi_3618_ = _e705;
+                                    phi_3619_ = _e707;
                                 }
-                                let _e1648 = phi_4001_;
-                                let _e1650 = phi_3903_;
-                                let _e1652 = phi_3313_;
-                                let _e1654 = phi_3314_;
-                                let _e1656 = phi_3315_;
-                                let _e1658 = phi_3316_;
-                                phi_4000_ = _e1648;
-                                phi_3902_ = _e1650;
-                                phi_3317_ = _e1652;
-                                phi_3318_ = _e1654;
-                                phi_3319_ = _e1656;
-                                phi_3320_ = _e1658;
+                                let _e1815 = phi_4439_;
+                                let _e1817 = phi_4330_;
+                                let _e1819 = phi_3616_;
+                                let _e1821 = phi_3617_;
+                                let _e1823 = phi_3618_;
+                                let _e1825 = phi_3619_;
+                                phi_4438_ = _e1815;
+                                phi_4329_ = _e1817;
+                                phi_3620_ = _e1819;
+                                phi_3621_ = _e1821;
+                                phi_3622_ = _e1823;
+                                phi_3623_ = _e1825;
                             } else {
-                                phi_4000_ = _e504;
-                                phi_3902_ = _e502;
-                                phi_3317_ = type_52();
-                                phi_3318_ = u32();
-                                phi_3319_ = bool();
-                                phi_3320_ = u32();
+                                phi_4438_ = _e665;
+                                phi_4329_ = _e663;
+                                phi_3620_ = type_52();
+                                phi_3621_ = u32();
+                                phi_3622_ = bool();
+                                phi_3623_ = u32();
                             }
-                            let _e1660 = phi_4000_;
-                            let _e1662 = phi_3902_;
-                            let _e1664 = phi_3317_;
-                            let _e1666 = phi_3318_;
-                            let _e1668 = phi_3319_;
-                            let _e1670 = phi_3320_;
-                            phi_3999_ = _e1660;
-                            phi_3901_ = _e1662;
-                            phi_902_ = _e1664;
-                            phi_905_ = _e1666;
-                            phi_907_ = _e1668;
-                            phi_909_ = _e1670;
-                            phi_3321_ = _e516;
+                            let _e1827 = phi_4438_;
+                            let _e1829 = phi_4329_;
+                            let _e1831 = phi_3620_;
+                            let _e1833 = phi_3621_;
+                            let _e1835 = phi_3622_;
+                            let _e1837 = phi_3623_;
+                            phi_4437_ = _e1827;
+                            phi_4328_ = _e1829;
+                            phi_1205_ = _e1831;
+                            phi_1208_ = _e1833;
+                            phi_1210_ = _e1835;
+                            phi_1212_ = _e1837;
+                            phi_3624_ = _e677;
                         } else {
-                            phi_3999_ = _e504;
-                            phi_3901_ = _e502;
-                            phi_902_ = type_52();
-                            phi_905_ = u32();
-                            phi_907_ = bool();
-                            phi_909_ = u32();
-                            phi_3321_ = false;
+                            phi_4437_ = _e665;
+                            phi_4328_ = _e663;
+                            phi_1205_ = type_52();
+                            phi_1208_ = u32();
+                            phi_1210_ = bool();
+                            phi_1212_ = u32();
+                            phi_3624_ = false;
                         }
-                        let _e1672 = phi_3999_;
-                        let _e1674 = phi_3901_;
-                        let _e1676 = phi_902_;
-                        let _e1678 = phi_905_;
-                        let _e1680 = phi_907_;
-                        let _e1682 = phi_909_;
-                        let _e1684 = phi_3321_;
+                        let _e1839 = phi_4437_;
+                        let _e1841 = phi_4328_;
+                        let _e1843 = phi_1205_;
+                        let _e1845 = phi_1208_;
+                        let _e1847 = phi_1210_;
+                        let _e1849 = phi_1212_;
+                        let _e1851 = phi_3624_;
                         continue;
                         continuing {
-                            phi_3765_ = _e1674;
-                            phi_3693_ = _e1672;
-                            phi_901_ = _e1676;
-                            phi_904_ = _e1678;
-                            phi_906_ = _e1680;
-                            phi_908_ = _e1682;
-                            phi_3900_ = _e1674;
-                            break if !(_e1684);
+                            phi_4174_ = _e1841;
+                            phi_4102_ = _e1839;
+                            phi_1204_ = _e1843;
+                            phi_1207_ = _e1845;
+                            phi_1209_ = _e1847;
+                            phi_1211_ = _e1849;
+                            phi_4327_ = _e1841;
+                            break if !(_e1851);
                         }
                     }
-                    let _e1687 = phi_3900_;
-                    if _e1687 {
+                    let _e1854 = phi_4327_;
+                    if _e1854 {
                         break;
                     }
-                    phi_3328_ = type_4(0u, 8u);
+                    phi_3631_ = type_4(0u, 8u);
                     loop {
-                        let _e1689 = phi_3328_;
-                        if (_e1689.member < _e1689.member_1) {
-                            phi_3329_ = type_4((_e1689.member + 1u), _e1689.member_1);
-                            phi_3352_ = type_4(1u, _e1689.member);
+                        let _e1856 = phi_3631_;
+                        if (_e1856.member < _e1856.member_1) {
+                            phi_3632_ = type_4((_e1856.member + 1u), _e1856.member_1);
+                            phi_3655_ = type_4(1u, _e1856.member);
                         } else {
-                            phi_3329_ = _e1689;
-                            phi_3352_ = type_4(0u, type_4().member_1);
+                            phi_3632_ = _e1856;
+                            phi_3655_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1702 = phi_3329_;
-                        let _e1704 = phi_3352_;
-                        let _e1708 = (bitcast<i32>(_e1704.member) != 0i);
-                        if _e1708 {
-                            let _e1709 = (_e1704.member_1 < 8u);
-                            if _e1709 {
+                        let _e1869 = phi_3632_;
+                        let _e1871 = phi_3655_;
+                        let _e1875 = (bitcast<i32>(_e1871.member) != 0i);
+                        if _e1875 {
+                            let _e1876 = (_e1871.member_1 < 8u);
+                            if _e1876 {
                             } else {
-                                phi_3992_ = true;
+                                phi_4419_ = true;
                                 break;
                             }
-                            let _e1711 = local_9[_e1704.member_1];
-                            if (_e1711.member_3 != 4294967295u) {
-                                let _e1717 = -(_e428);
-                                let _e1718 = (_e1717 / 3i);
-                                let _e1725 = bitcast<f32>((bitcast<u32>((_e1718 + 127i)) << bitcast<u32>(23i)));
-                                let _e1733 = (((_e1711.member * _e1725) * _e1725) * bitcast<f32>((bitcast<u32>(((_e1717 - (2i * _e1718)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1735 = select(340282350000000000000000000000000000000f, _e1733, (_e1733 < 340282350000000000000000000000000000000f));
-                                phi_3418_ = type_25(select(-340282350000000000000000000000000000000f, _e1735, (_e1735 > -340282350000000000000000000000000000000f)), _e1711.member_1, _e1711.member_2, _e1711.member_3);
+                            let _e1878 = local_9[_e1871.member_1];
+                            if (_e1878.member_3 != 4294967295u) {
+                                let _e1884 = -(_e524);
+                                let _e1885 = bitcast<u32>(_e1878.member);
+                                let _e1889 = (bitcast<i32>((_e1885 >> bitcast<u32>(23i))) & 255i);
+                                let _e1890 = (_e1889 + _e1884);
+                                if (_e1889 == 255i) {
+                                    phi_3728_ = _e1878.member;
+                                } else {
+                                    if (_e1889 > 0i) {
+                                        if (_e1890 > 0i) {
+                                            let _e1894 = (_e1890 < 255i);
+                                            if _e1894 {
+                                                phi_3707_ = bitcast<f32>((_e1885 + bitcast<u32>((_e1884 << bitcast<u32>(23i)))));
+                                            } else {
+                                                phi_3707_ = f32();
+                                            }
+                                            let _e1901 = phi_3707_;
+                                            phi_3709_ = _e1901;
+                                            phi_3710_ = select(true, false, _e1894);
+                                        } else {
+                                            phi_3709_ = f32();
+                                            phi_3710_ = true;
+                                        }
+                                        let _e1904 = phi_3709_;
+                                        let _e1906 = phi_3710_;
+                                        phi_3711_ = _e1904;
+                                        phi_3712_ = _e1906;
+                                    } else {
+                                        phi_3711_ = f32();
+                                        phi_3712_ = true;
+                                    }
+                                    let _e1908 = phi_3711_;
+                                    let _e1910 = phi_3712_;
+                                    if _e1910 {
+                                        let _e1911 = (_e1885 & 2147483648u);
+                                        let _e1918 = ((_e1885 & 8388607u) | (select(0u, 1u, ((_e1885 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1922 = (_e1918 == 0u);
+                                        if _e1922 {
+                                            phi_4049_ = bitcast<f32>(_e1911);
+                                        } else {
+                                            let _e1927 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1918)), 32u, _e1922) - 8u);
+                                            let _e1930 = (_e1918 << bitcast<u32>((_e1927 & 31u)));
+                                            let _e1932 = ((_e1890 + select(0i, 1i, (_e1889 == 0i))) - bitcast<i32>(_e1927));
+                                            if (_e1932 >= 255i) {
+                                                phi_4039_ = bitcast<f32>((_e1911 | 2139095040u));
+                                                phi_4040_ = f32();
+                                                phi_4041_ = true;
+                                            } else {
+                                                let _e1934 = (_e1932 > 0i);
+                                                if _e1934 {
+                                                    phi_4033_ = bitcast<f32>(((_e1911 | (bitcast<u32>(_e1932) << bitcast<u32>(23i))) | (_e1930 & 8388607u)));
+                                                    phi_4034_ = f32();
+                                                } else {
+                                                    if (_e1932 < -24i) {
+                                                        phi_3999_ = 26u;
+                                                    } else {
+                                                        phi_3999_ = bitcast<u32>((1i - _e1932));
+                                                    }
+                                                    let _e1939 = phi_3999_;
+                                                    let _e1940 = (_e1939 & 31u);
+                                                    let _e1942 = (_e1930 >> bitcast<u32>(_e1940));
+                                                    let _e1946 = (_e1930 & ((1u << bitcast<u32>(_e1940)) - 1u));
+                                                    let _e1950 = (1u << bitcast<u32>(((_e1939 - 1u) & 31u)));
+                                                    if (_e1946 > _e1950) {
+                                                        phi_4020_ = true;
+                                                    } else {
+                                                        if (_e1946 == _e1950) {
+                                                            phi_4017_ = ((_e1942 & 1u) == 1u);
+                                                        } else {
+                                                            phi_4017_ = false;
+                                                        }
+                                                        let _e1956 = phi_4017_;
+                                                        phi_4020_ = _e1956;
+                                                    }
+                                                    let _e1958 = phi_4020_;
+                                                    phi_4033_ = f32();
+                                                    phi_4034_ = bitcast<f32>((_e1911 | (_e1942 + select(0u, 1u, _e1958))));
+                                                }
+                                                let _e1971 = phi_4033_;
+                                                let _e1973 = phi_4034_;
+                                                phi_4039_ = _e1971;
+                                                phi_4040_ = _e1973;
+                                                phi_4041_ = _e1934;
+                                            }
+                                            let _e1977 = phi_4039_;
+                                            let _e1979 = phi_4040_;
+                                            let _e1981 = phi_4041_;
+                                            phi_4049_ = select(_e1979, _e1977, _e1981);
+                                        }
+                                        let _e1985 = phi_4049_;
+                                        phi_3727_ = _e1985;
+                                    } else {
+                                        phi_3727_ = _e1908;
+                                    }
+                                    let _e1987 = phi_3727_;
+                                    phi_3728_ = _e1987;
+                                }
+                                let _e1989 = phi_3728_;
+                                let _e1990 = bitcast<u32>(_e1989);
+                                if ((_e1990 & 2147483647u) >= 2139095040u) {
+                                    phi_3740_ = bitcast<f32>(((_e1990 & 2147483648u) | 2139095039u));
+                                } else {
+                                    phi_3740_ = _e1989;
+                                }
+                                let _e1997 = phi_3740_;
+                                phi_3745_ = type_25(_e1997, _e1878.member_1, _e1878.member_2, _e1878.member_3);
                             } else {
-                                phi_3418_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3745_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1740 = phi_3418_;
-                            if _e1709 {
+                            let _e2000 = phi_3745_;
+                            if _e1876 {
                             } else {
-                                phi_3992_ = true;
+                                phi_4419_ = true;
                                 break;
                             }
-                            local_9[_e1704.member_1] = type_25(_e1740.member, _e1740.member_1, _e1740.member_2, _e1740.member_3);
+                            local_9[_e1871.member_1] = type_25(_e2000.member, _e2000.member_1, _e2000.member_2, _e2000.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3328_ = _e1702;
-                            phi_3992_ = _e1687;
-                            break if !(_e1708);
+                            phi_3631_ = _e1869;
+                            phi_4419_ = _e1854;
+                            break if !(_e1875);
                         }
                     }
-                    let _e1748 = phi_3992_;
-                    if _e1748 {
+                    let _e2008 = phi_4419_;
+                    if _e2008 {
                         break;
                     }
-                    let _e1749 = local_9;
-                    if _e149 {
+                    let _e2009 = local_9;
+                    if _e155 {
                     } else {
                         break;
                     }
-                    global_6.member[_e147] = array<type_25, 8>(type_25(_e1749[0].member, _e1749[0].member_1, _e1749[0].member_2, _e1749[0].member_3), type_25(_e1749[1].member, _e1749[1].member_1, _e1749[1].member_2, _e1749[1].member_3), type_25(_e1749[2].member, _e1749[2].member_1, _e1749[2].member_2, _e1749[2].member_3), type_25(_e1749[3].member, _e1749[3].member_1, _e1749[3].member_2, _e1749[3].member_3), type_25(_e1749[4].member, _e1749[4].member_1, _e1749[4].member_2, _e1749[4].member_3), type_25(_e1749[5].member, _e1749[5].member_1, _e1749[5].member_2, _e1749[5].member_3), type_25(_e1749[6].member, _e1749[6].member_1, _e1749[6].member_2, _e1749[6].member_3), type_25(_e1749[7].member, _e1749[7].member_1, _e1749[7].member_2, _e1749[7].member_3));
+                    global_6.member[_e153] = array<type_25, 8>(type_25(_e2009[0].member, _e2009[0].member_1, _e2009[0].member_2, _e2009[0].member_3), type_25(_e2009[1].member, _e2009[1].member_1, _e2009[1].member_2, _e2009[1].member_3), type_25(_e2009[2].member, _e2009[2].member_1, _e2009[2].member_2, _e2009[2].member_3), type_25(_e2009[3].member, _e2009[3].member_1, _e2009[3].member_2, _e2009[3].member_3), type_25(_e2009[4].member, _e2009[4].member_1, _e2009[4].member_2, _e2009[4].member_3), type_25(_e2009[5].member, _e2009[5].member_1, _e2009[5].member_2, _e2009[5].member_3), type_25(_e2009[6].member, _e2009[6].member_1, _e2009[6].member_2, _e2009[6].member_3), type_25(_e2009[7].member, _e2009[7].member_1, _e2009[7].member_2, _e2009[7].member_3));
                 }
             }
             break;

@@ -83,452 +83,529 @@ fn function_() {
     var local_8: array<u32, 128>;
     var local_9: array<type_24, 8>;
     var local_10: array<f32, 128>;
-    var phi_403_: i32;
-    var phi_404_: i32;
-    var phi_414_: bool;
-    var phi_424_: u32;
-    var phi_425_: u32;
-    var phi_427_: bool;
-    var phi_432_: u32;
-    var phi_444_: i32;
-    var phi_464_: i32;
-    var phi_482_: f32;
-    var phi_488_: f32;
-    var phi_499_: f32;
-    var phi_505_: f32;
-    var phi_528_: f32;
-    var phi_539_: f32;
-    var phi_548_: f32;
-    var phi_554_: f32;
-    var phi_565_: f32;
-    var phi_571_: f32;
-    var phi_594_: f32;
-    var phi_605_: f32;
-    var phi_614_: f32;
-    var phi_620_: f32;
-    var phi_631_: f32;
-    var phi_637_: f32;
-    var phi_660_: f32;
-    var phi_671_: f32;
-    var phi_771_: f32;
-    var phi_772_: f32;
-    var phi_4469_: bool;
-    var phi_4325_: f32;
-    var phi_914_: type_51;
-    var phi_917_: u32;
-    var phi_919_: bool;
-    var phi_921_: u32;
-    var phi_932_: bool;
-    var phi_1019_: type_51;
-    var phi_1020_: bool;
-    var phi_1021_: u32;
-    var phi_3198_: u32;
-    var phi_3204_: u32;
-    var phi_3458_: u32;
-    var phi_3459_: u32;
-    var phi_3469_: u32;
-    var phi_3471_: u32;
-    var phi_3472_: bool;
-    var phi_3492_: u32;
-    var phi_3493_: u32;
-    var phi_3497_: type_52;
-    var phi_3842_: type_51;
-    var phi_3919_: type_51;
-    var phi_3920_: type_51;
-    var phi_3921_: u32;
-    var phi_3923_: type_51;
-    var phi_3924_: u32;
-    var phi_3925_: bool;
-    var phi_3934_: type_51;
-    var phi_3939_: type_51;
-    var phi_3940_: bool;
-    var phi_4466_: bool;
-    var phi_4409_: f32;
-    var phi_1040_: type_8;
-    var phi_1041_: type_8;
-    var phi_1064_: type_8;
-    var phi_1105_: u32;
-    var phi_1111_: u32;
-    var phi_1121_: u32;
-    var phi_1137_: u32;
-    var phi_1170_: u32;
-    var phi_1176_: u32;
-    var phi_1603_: u32;
-    var phi_1621_: u32;
-    var phi_1639_: u32;
-    var phi_1659_: u32;
-    var phi_1677_: u32;
-    var phi_1695_: u32;
-    var phi_1715_: u32;
-    var phi_1733_: u32;
-    var phi_1751_: u32;
-    var phi_1329_: u32;
-    var phi_1344_: u32;
-    var phi_1354_: u32;
-    var phi_1374_: u32;
-    var phi_1394_: u32;
-    var phi_1420_: u32;
-    var phi_1435_: u32;
-    var phi_1445_: u32;
-    var phi_1465_: u32;
-    var phi_1485_: u32;
-    var phi_1511_: u32;
-    var phi_1526_: u32;
-    var phi_1536_: u32;
-    var phi_1556_: u32;
-    var phi_1576_: u32;
-    var phi_1200_: u32;
-    var phi_1243_: u32;
-    var phi_1286_: u32;
-    var phi_1757_: array<array<f32, 3>, 3>;
-    var phi_1875_: bool;
-    var phi_1904_: bool;
-    var phi_2305_: f32;
-    var phi_2306_: f32;
-    var phi_2307_: f32;
-    var phi_2308_: f32;
-    var phi_2309_: vec3<f32>;
-    var phi_2310_: vec3<f32>;
-    var phi_2311_: vec3<f32>;
-    var phi_2312_: vec3<f32>;
-    var phi_2343_: bool;
-    var phi_2352_: vec3<f32>;
-    var phi_2517_: f32;
-    var phi_2519_: f32;
-    var phi_2520_: bool;
-    var phi_2540_: f32;
-    var phi_2541_: f32;
-    var phi_2564_: type_24;
-    var phi_2566_: type_24;
-    var phi_2567_: bool;
-    var phi_2571_: type_24;
-    var phi_2572_: type_24;
-    var phi_2573_: type_24;
-    var phi_2574_: bool;
-    var phi_2578_: type_24;
-    var phi_2579_: bool;
-    var phi_2580_: type_24;
-    var phi_2581_: bool;
-    var phi_2582_: bool;
-    var phi_2583_: type_24;
-    var phi_2584_: bool;
-    var phi_2585_: bool;
-    var phi_2593_: type_24;
-    var phi_2594_: bool;
-    var phi_2598_: type_24;
-    var phi_2610_: type_8;
-    var phi_2613_: type_24;
-    var phi_2611_: type_8;
-    var phi_2636_: type_8;
-    var phi_2668_: bool;
-    var phi_2669_: bool;
-    var phi_2690_: type_24;
-    var phi_2614_: type_24;
-    var phi_4437_: bool;
-    var phi_4864_: f32;
-    var phi_4863_: f32;
-    var phi_4629_: bool;
-    var phi_4862_: f32;
-    var phi_4628_: bool;
-    var phi_4861_: f32;
-    var phi_4627_: bool;
-    var phi_4773_: f32;
-    var phi_4626_: bool;
-    var phi_4738_: f32;
-    var phi_4635_: bool;
-    var phi_3942_: type_51;
-    var phi_3943_: bool;
-    var phi_3944_: u32;
-    var phi_4737_: f32;
-    var phi_4634_: bool;
-    var phi_3945_: type_51;
-    var phi_3946_: u32;
-    var phi_3947_: bool;
-    var phi_3948_: u32;
-    var phi_4736_: f32;
-    var phi_4633_: bool;
-    var phi_3949_: type_51;
-    var phi_3950_: u32;
-    var phi_3951_: bool;
-    var phi_3952_: u32;
-    var phi_4735_: f32;
-    var phi_4632_: bool;
-    var phi_915_: type_51;
-    var phi_918_: u32;
-    var phi_920_: bool;
-    var phi_922_: u32;
-    var phi_3953_: bool;
-    var phi_4631_: bool;
-    var phi_3960_: type_8;
-    var phi_3961_: type_8;
-    var phi_3984_: type_8;
-    var phi_4050_: type_24;
-    var phi_4728_: bool;
+    var phi_485_: i32;
+    var phi_486_: i32;
+    var phi_496_: bool;
+    var phi_506_: u32;
+    var phi_507_: u32;
+    var phi_509_: bool;
+    var phi_514_: u32;
+    var phi_526_: i32;
+    var phi_546_: i32;
+    var phi_564_: f32;
+    var phi_570_: f32;
+    var phi_610_: f32;
+    var phi_616_: f32;
+    var phi_668_: f32;
+    var phi_679_: f32;
+    var phi_688_: f32;
+    var phi_694_: f32;
+    var phi_734_: f32;
+    var phi_740_: f32;
+    var phi_792_: f32;
+    var phi_803_: f32;
+    var phi_812_: f32;
+    var phi_818_: f32;
+    var phi_858_: f32;
+    var phi_864_: f32;
+    var phi_916_: f32;
+    var phi_927_: f32;
+    var phi_982_: i32;
+    var phi_1004_: u32;
+    var phi_1005_: u32;
+    var phi_1042_: i32;
+    var phi_1064_: u32;
+    var phi_1065_: u32;
+    var phi_1073_: f32;
+    var phi_1074_: f32;
+    var phi_4895_: bool;
+    var phi_4751_: f32;
+    var phi_1216_: type_51;
+    var phi_1219_: u32;
+    var phi_1221_: bool;
+    var phi_1223_: u32;
+    var phi_1234_: bool;
+    var phi_1321_: type_51;
+    var phi_1322_: bool;
+    var phi_1323_: u32;
+    var phi_3518_: u32;
+    var phi_3524_: u32;
+    var phi_3778_: u32;
+    var phi_3779_: u32;
+    var phi_3789_: u32;
+    var phi_3791_: u32;
+    var phi_3792_: bool;
+    var phi_3812_: u32;
+    var phi_3813_: u32;
+    var phi_3817_: type_52;
+    var phi_4162_: type_51;
+    var phi_4239_: type_51;
+    var phi_4240_: type_51;
+    var phi_4241_: u32;
+    var phi_4243_: type_51;
+    var phi_4244_: u32;
+    var phi_4245_: bool;
+    var phi_4254_: type_51;
+    var phi_4259_: type_51;
+    var phi_4260_: bool;
+    var phi_4892_: bool;
+    var phi_4835_: f32;
+    var phi_1342_: type_8;
+    var phi_1343_: type_8;
+    var phi_1366_: type_8;
+    var phi_1407_: u32;
+    var phi_1413_: u32;
+    var phi_1423_: u32;
+    var phi_1439_: u32;
+    var phi_1472_: u32;
+    var phi_1478_: u32;
+    var phi_1923_: u32;
+    var phi_1941_: u32;
+    var phi_1959_: u32;
+    var phi_1979_: u32;
+    var phi_1997_: u32;
+    var phi_2015_: u32;
+    var phi_2035_: u32;
+    var phi_2053_: u32;
+    var phi_2071_: u32;
+    var phi_1640_: u32;
+    var phi_1655_: u32;
+    var phi_1665_: u32;
+    var phi_1686_: u32;
+    var phi_1707_: u32;
+    var phi_1734_: u32;
+    var phi_1749_: u32;
+    var phi_1759_: u32;
+    var phi_1780_: u32;
+    var phi_1801_: u32;
+    var phi_1828_: u32;
+    var phi_1843_: u32;
+    var phi_1853_: u32;
+    var phi_1874_: u32;
+    var phi_1895_: u32;
+    var phi_1502_: u32;
+    var phi_1548_: u32;
+    var phi_1594_: u32;
+    var phi_2077_: array<array<f32, 3>, 3>;
+    var phi_2195_: bool;
+    var phi_2224_: bool;
+    var phi_2625_: f32;
+    var phi_2626_: f32;
+    var phi_2627_: f32;
+    var phi_2628_: f32;
+    var phi_2629_: vec3<f32>;
+    var phi_2630_: vec3<f32>;
+    var phi_2631_: vec3<f32>;
+    var phi_2632_: vec3<f32>;
+    var phi_2663_: bool;
+    var phi_2672_: vec3<f32>;
+    var phi_2837_: f32;
+    var phi_2839_: f32;
+    var phi_2840_: bool;
+    var phi_2860_: f32;
+    var phi_2861_: f32;
+    var phi_2884_: type_24;
+    var phi_2886_: type_24;
+    var phi_2887_: bool;
+    var phi_2891_: type_24;
+    var phi_2892_: type_24;
+    var phi_2893_: type_24;
+    var phi_2894_: bool;
+    var phi_2898_: type_24;
+    var phi_2899_: bool;
+    var phi_2900_: type_24;
+    var phi_2901_: bool;
+    var phi_2902_: bool;
+    var phi_2903_: type_24;
+    var phi_2904_: bool;
+    var phi_2905_: bool;
+    var phi_2913_: type_24;
+    var phi_2914_: bool;
+    var phi_2918_: type_24;
+    var phi_2930_: type_8;
+    var phi_2933_: type_24;
+    var phi_2931_: type_8;
+    var phi_2956_: type_8;
+    var phi_2988_: bool;
+    var phi_2989_: bool;
+    var phi_3010_: type_24;
+    var phi_2934_: type_24;
+    var phi_4863_: bool;
+    var phi_5319_: f32;
+    var phi_5318_: f32;
+    var phi_5073_: bool;
+    var phi_5317_: f32;
+    var phi_5072_: bool;
+    var phi_5316_: f32;
+    var phi_5071_: bool;
+    var phi_5228_: f32;
+    var phi_5070_: bool;
+    var phi_5193_: f32;
+    var phi_5079_: bool;
+    var phi_4262_: type_51;
+    var phi_4263_: bool;
+    var phi_4264_: u32;
+    var phi_5192_: f32;
+    var phi_5078_: bool;
+    var phi_4265_: type_51;
+    var phi_4266_: u32;
+    var phi_4267_: bool;
+    var phi_4268_: u32;
+    var phi_5191_: f32;
+    var phi_5077_: bool;
+    var phi_4269_: type_51;
+    var phi_4270_: u32;
+    var phi_4271_: bool;
+    var phi_4272_: u32;
+    var phi_5190_: f32;
+    var phi_5076_: bool;
+    var phi_1217_: type_51;
+    var phi_1220_: u32;
+    var phi_1222_: bool;
+    var phi_1224_: u32;
+    var phi_4273_: bool;
+    var phi_5075_: bool;
+    var phi_4280_: type_8;
+    var phi_4281_: type_8;
+    var phi_4304_: type_8;
+    var phi_4356_: f32;
+    var phi_4358_: f32;
+    var phi_4359_: bool;
+    var phi_4360_: f32;
+    var phi_4361_: bool;
+    var phi_4648_: u32;
+    var phi_4666_: bool;
+    var phi_4669_: bool;
+    var phi_4682_: f32;
+    var phi_4683_: f32;
+    var phi_4688_: f32;
+    var phi_4689_: f32;
+    var phi_4690_: bool;
+    var phi_4698_: f32;
+    var phi_4376_: f32;
+    var phi_4377_: f32;
+    var phi_4389_: f32;
+    var phi_4394_: type_24;
+    var phi_5172_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e95 = global;
-            let _e97 = arrayLength((&global_3.member));
-            let _e100 = arrayLength((&global_5.member));
-            let _e108 = global_2.member[0u][0u];
-            let _e112 = global_2.member[0u][1u];
-            let _e116 = global_2.member[0u][2u];
-            let _e120 = global_2.member[0u][3u];
-            let _e124 = global_2.member[1u][0u];
-            let _e128 = global_2.member[1u][1u];
-            let _e132 = global_2.member[1u][2u];
-            let _e135 = global_1.member[0u];
-            let _e136 = bitcast<i32>(_e135);
-            let _e148 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e120) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e108), bitcast<i32>(_e112), bitcast<i32>(_e116));
-            local = array<i32, 3>(bitcast<i32>(_e124), bitcast<i32>(_e128), bitcast<i32>(_e132));
-            let _e154 = (_e95.x + (_e95.y * 2097152u));
-            let _e155 = (_e154 < arrayLength((&global_4.member)));
-            if _e155 {
-                let _e156 = (_e154 < arrayLength((&global_6.member)));
-                if _e156 {
-                    if _e155 {
+            let _e100 = global;
+            let _e102 = arrayLength((&global_3.member));
+            let _e105 = arrayLength((&global_5.member));
+            let _e113 = global_2.member[0u][0u];
+            let _e117 = global_2.member[0u][1u];
+            let _e121 = global_2.member[0u][2u];
+            let _e125 = global_2.member[0u][3u];
+            let _e129 = global_2.member[1u][0u];
+            let _e133 = global_2.member[1u][1u];
+            let _e137 = global_2.member[1u][2u];
+            let _e140 = global_1.member[0u];
+            let _e141 = bitcast<i32>(_e140);
+            let _e153 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e125) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e113), bitcast<i32>(_e117), bitcast<i32>(_e121));
+            local = array<i32, 3>(bitcast<i32>(_e129), bitcast<i32>(_e133), bitcast<i32>(_e137));
+            let _e159 = (_e100.x + (_e100.y * 2097152u));
+            let _e160 = (_e159 < arrayLength((&global_4.member)));
+            if _e160 {
+                let _e161 = (_e159 < arrayLength((&global_6.member)));
+                if _e161 {
+                    if _e160 {
                     } else {
                         break;
                     }
-                    let _e164 = global_4.member[_e154].member_2[0u];
-                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
-                    let _e171 = global_4.member[_e154].member_2[1u];
-                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
-                    let _e178 = global_4.member[_e154].member_2[2u];
-                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
-                    let _e185 = global_4.member[_e154].member[0u];
-                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
-                    let _e192 = global_4.member[_e154].member[1u];
-                    let _e194 = (bitcast<u32>(_e192) & 2147483647u);
-                    let _e199 = global_4.member[_e154].member[2u];
-                    let _e201 = (bitcast<u32>(_e199) & 2147483647u);
-                    let _e203 = select(_e173, _e166, (_e173 < _e166));
-                    let _e205 = select(_e180, _e203, (_e180 < _e203));
-                    let _e207 = select(_e187, _e205, (_e187 < _e205));
-                    let _e209 = select(_e194, _e207, (_e194 < _e207));
-                    let _e211 = select(_e201, _e209, (_e201 < _e209));
-                    let _e215 = global_4.member[_e154].member_1;
-                    let _e217 = (bitcast<u32>(_e215) & 2147483647u);
-                    let _e224 = global_4.member[_e154].member_3;
-                    let _e230 = (((select(_e217, _e211, (_e217 < _e211)) < 2139095040u) && ((bitcast<u32>(_e224) & 2147483647u) <= 2139095040u)) && (_e205 > 0u));
-                    if _e230 {
-                        let _e233 = (bitcast<u32>(bitcast<f32>(_e205)) & 2147483647u);
-                        if (_e233 >= 8388608u) {
-                            phi_403_ = (bitcast<i32>((_e233 >> bitcast<u32>(23i))) - 127i);
+                    let _e169 = global_4.member[_e159].member_2[0u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e176 = global_4.member[_e159].member_2[1u];
+                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
+                    let _e183 = global_4.member[_e159].member_2[2u];
+                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
+                    let _e190 = global_4.member[_e159].member[0u];
+                    let _e192 = (bitcast<u32>(_e190) & 2147483647u);
+                    let _e197 = global_4.member[_e159].member[1u];
+                    let _e199 = (bitcast<u32>(_e197) & 2147483647u);
+                    let _e204 = global_4.member[_e159].member[2u];
+                    let _e206 = (bitcast<u32>(_e204) & 2147483647u);
+                    let _e208 = select(_e178, _e171, (_e178 < _e171));
+                    let _e210 = select(_e185, _e208, (_e185 < _e208));
+                    let _e212 = select(_e192, _e210, (_e192 < _e210));
+                    let _e214 = select(_e199, _e212, (_e199 < _e212));
+                    let _e216 = select(_e206, _e214, (_e206 < _e214));
+                    let _e220 = global_4.member[_e159].member_1;
+                    let _e221 = bitcast<u32>(_e220);
+                    let _e222 = (_e221 & 2147483647u);
+                    let _e229 = global_4.member[_e159].member_3;
+                    let _e230 = bitcast<u32>(_e229);
+                    let _e231 = (_e230 & 2147483647u);
+                    let _e235 = (((select(_e222, _e216, (_e222 < _e216)) < 2139095040u) && (_e231 <= 2139095040u)) && (_e210 > 0u));
+                    if _e235 {
+                        let _e238 = (bitcast<u32>(bitcast<f32>(_e210)) & 2147483647u);
+                        if (_e238 >= 8388608u) {
+                            phi_485_ = (bitcast<i32>((_e238 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_403_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e233)), 32u, (_e233 == 0u))));
+                            phi_485_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e238)), 32u, (_e238 == 0u))));
                         }
-                        let _e247 = phi_403_;
-                        phi_404_ = _e247;
+                        let _e252 = phi_485_;
+                        phi_486_ = _e252;
                     } else {
-                        phi_404_ = 0i;
+                        phi_486_ = 0i;
                     }
-                    let _e249 = phi_404_;
-                    let _e250 = (_e166 == _e205);
-                    if _e250 {
-                        phi_414_ = true;
+                    let _e254 = phi_486_;
+                    let _e255 = (_e171 == _e210);
+                    if _e255 {
+                        phi_496_ = true;
                     } else {
-                        phi_414_ = (_e173 == _e205);
+                        phi_496_ = (_e178 == _e210);
                     }
-                    let _e253 = phi_414_;
-                    let _e254 = select(1u, 0u, _e250);
-                    if _e253 {
-                        let _e255 = (_e254 + 1u);
-                        phi_424_ = _e255;
-                        phi_425_ = _e255;
-                        phi_427_ = select(true, false, (_e255 == 2u));
+                    let _e258 = phi_496_;
+                    let _e259 = select(1u, 0u, _e255);
+                    if _e258 {
+                        let _e260 = (_e259 + 1u);
+                        phi_506_ = _e260;
+                        phi_507_ = _e260;
+                        phi_509_ = select(true, false, (_e260 == 2u));
                     } else {
-                        phi_424_ = u32();
-                        phi_425_ = 0u;
-                        phi_427_ = true;
+                        phi_506_ = u32();
+                        phi_507_ = 0u;
+                        phi_509_ = true;
                     }
-                    let _e259 = phi_424_;
-                    let _e261 = phi_425_;
-                    let _e263 = phi_427_;
-                    if _e263 {
-                        phi_432_ = (_e261 + 1u);
+                    let _e264 = phi_506_;
+                    let _e266 = phi_507_;
+                    let _e268 = phi_509_;
+                    if _e268 {
+                        phi_514_ = (_e266 + 1u);
                     } else {
-                        phi_432_ = 0u;
+                        phi_514_ = 0u;
                     }
-                    let _e267 = phi_432_;
-                    let _e268 = select(_e259, _e261, _e263);
-                    let _e269 = select(_e254, select(2u, _e254, _e253), _e263);
-                    if (_e136 < -126i) {
-                        phi_444_ = -126i;
+                    let _e272 = phi_514_;
+                    let _e273 = select(_e264, _e266, _e268);
+                    let _e274 = select(_e259, select(2u, _e259, _e258), _e268);
+                    if (_e141 < -126i) {
+                        phi_526_ = -126i;
                     } else {
-                        phi_444_ = select(_e136, 127i, (_e136 > 127i));
+                        phi_526_ = select(_e141, 127i, (_e141 > 127i));
                     }
-                    let _e274 = phi_444_;
-                    let _e279 = bitcast<f32>((bitcast<u32>((_e274 + 127i)) << bitcast<u32>(23i)));
-                    let _e285 = bitcast<f32>((bitcast<u32>(((_e136 - _e274) + 127i)) << bitcast<u32>(23i)));
-                    let _e286 = -(_e249);
-                    if (_e286 < -126i) {
-                        phi_464_ = -126i;
+                    let _e279 = phi_526_;
+                    let _e284 = bitcast<f32>((bitcast<u32>((_e279 + 127i)) << bitcast<u32>(23i)));
+                    let _e290 = bitcast<f32>((bitcast<u32>(((_e141 - _e279) + 127i)) << bitcast<u32>(23i)));
+                    let _e291 = -(_e254);
+                    if (_e291 < -126i) {
+                        phi_546_ = -126i;
                     } else {
-                        phi_464_ = select(_e286, 127i, (_e286 > 127i));
+                        phi_546_ = select(_e291, 127i, (_e291 > 127i));
                     }
-                    let _e291 = phi_464_;
-                    let _e296 = bitcast<f32>((bitcast<u32>((_e291 + 127i)) << bitcast<u32>(23i)));
-                    let _e302 = bitcast<f32>((bitcast<u32>(((_e286 - _e291) + 127i)) << bitcast<u32>(23i)));
-                    let _e306 = global_4.member[_e154].member;
-                    let _e307 = (_e268 == 0u);
-                    if _e307 {
-                        phi_482_ = _e306[0];
-                    } else {
-                        phi_482_ = _e306[1];
-                    }
-                    let _e311 = phi_482_;
-                    let _e312 = (_e268 == 2u);
+                    let _e296 = phi_546_;
+                    let _e301 = bitcast<f32>((bitcast<u32>((_e296 + 127i)) << bitcast<u32>(23i)));
+                    let _e307 = bitcast<f32>((bitcast<u32>(((_e291 - _e296) + 127i)) << bitcast<u32>(23i)));
+                    let _e311 = global_4.member[_e159].member;
+                    let _e312 = (_e273 == 0u);
                     if _e312 {
-                        phi_488_ = _e306[2];
+                        phi_564_ = _e311[0];
                     } else {
-                        phi_488_ = _e311;
+                        phi_564_ = _e311[1];
                     }
-                    let _e315 = phi_488_;
-                    let _e317 = ((_e315 * _e279) * _e285);
-                    let _e318 = global_4.member[_e154].member_2;
-                    if _e307 {
-                        phi_499_ = _e318[0];
+                    let _e316 = phi_564_;
+                    let _e317 = (_e273 == 2u);
+                    if _e317 {
+                        phi_570_ = _e311[2];
                     } else {
-                        phi_499_ = _e318[1];
+                        phi_570_ = _e316;
                     }
-                    let _e322 = phi_499_;
+                    let _e320 = phi_570_;
+                    let _e321 = bitcast<u32>(_e320);
+                    let _e323 = ((_e321 & 2139095040u) != 0u);
+                    let _e337 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e321 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e321 & 2147483648u))), _e320, _e323) * _e284) * select(0.00000011920929f, 1f, _e323)) * _e290);
+                    let _e338 = global_4.member[_e159].member_2;
                     if _e312 {
-                        phi_505_ = _e318[2];
+                        phi_610_ = _e338[0];
                     } else {
-                        phi_505_ = _e322;
+                        phi_610_ = _e338[1];
                     }
-                    let _e325 = phi_505_;
-                    let _e327 = ((_e325 * _e296) * _e302);
-                    let _e331 = (bitcast<f32>((bitcast<u32>(_e327) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e331 {
-                        let _e335 = (bitcast<f32>((bitcast<u32>(_e317) & 2147483647u)) * 0.00000011920929f);
-                        phi_528_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
+                    let _e342 = phi_610_;
+                    if _e317 {
+                        phi_616_ = _e338[2];
                     } else {
-                        phi_528_ = 0f;
+                        phi_616_ = _e342;
                     }
-                    let _e339 = phi_528_;
-                    let _e340 = (_e317 + _e339);
-                    let _e341 = (_e317 - _e339);
-                    let _e342 = select(_e327, 0f, _e331);
-                    if _e331 {
-                        phi_539_ = 38685626000000000000000000f;
+                    let _e345 = phi_616_;
+                    let _e346 = bitcast<u32>(_e345);
+                    let _e348 = ((_e346 & 2139095040u) != 0u);
+                    let _e362 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e346 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e346 & 2147483648u))), _e345, _e348) * _e301) * select(0.00000011920929f, 1f, _e348)) * _e307);
+                    let _e366 = (bitcast<f32>((bitcast<u32>(_e362) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e366 {
+                        let _e370 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) * 0.00000011920929f);
+                        phi_668_ = select(0.00000000000011368684f, _e370, (_e370 > 0.00000000000011368684f));
                     } else {
-                        phi_539_ = (1f / _e327);
+                        phi_668_ = 0f;
                     }
-                    let _e345 = phi_539_;
-                    let _e346 = (_e267 == 0u);
-                    if _e346 {
-                        phi_548_ = _e306[0];
+                    let _e374 = phi_668_;
+                    let _e375 = (_e337 + _e374);
+                    let _e376 = (_e337 - _e374);
+                    let _e377 = select(_e362, 0f, _e366);
+                    if _e366 {
+                        phi_679_ = 38685626000000000000000000f;
                     } else {
-                        phi_548_ = _e306[1];
+                        phi_679_ = (1f / _e362);
                     }
-                    let _e350 = phi_548_;
-                    let _e351 = (_e267 == 2u);
-                    if _e351 {
-                        phi_554_ = _e306[2];
+                    let _e380 = phi_679_;
+                    let _e381 = (_e272 == 0u);
+                    if _e381 {
+                        phi_688_ = _e311[0];
                     } else {
-                        phi_554_ = _e350;
+                        phi_688_ = _e311[1];
                     }
-                    let _e354 = phi_554_;
-                    let _e356 = ((_e354 * _e279) * _e285);
-                    if _e346 {
-                        phi_565_ = _e318[0];
+                    let _e385 = phi_688_;
+                    let _e386 = (_e272 == 2u);
+                    if _e386 {
+                        phi_694_ = _e311[2];
                     } else {
-                        phi_565_ = _e318[1];
+                        phi_694_ = _e385;
                     }
-                    let _e360 = phi_565_;
-                    if _e351 {
-                        phi_571_ = _e318[2];
+                    let _e389 = phi_694_;
+                    let _e390 = bitcast<u32>(_e389);
+                    let _e392 = ((_e390 & 2139095040u) != 0u);
+                    let _e406 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e390 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e390 & 2147483648u))), _e389, _e392) * _e284) * select(0.00000011920929f, 1f, _e392)) * _e290);
+                    if _e381 {
+                        phi_734_ = _e338[0];
                     } else {
-                        phi_571_ = _e360;
+                        phi_734_ = _e338[1];
                     }
-                    let _e363 = phi_571_;
-                    let _e365 = ((_e363 * _e296) * _e302);
-                    let _e369 = (bitcast<f32>((bitcast<u32>(_e365) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e369 {
-                        let _e373 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) * 0.00000011920929f);
-                        phi_594_ = select(0.00000000000011368684f, _e373, (_e373 > 0.00000000000011368684f));
+                    let _e410 = phi_734_;
+                    if _e386 {
+                        phi_740_ = _e338[2];
                     } else {
-                        phi_594_ = 0f;
+                        phi_740_ = _e410;
                     }
-                    let _e377 = phi_594_;
-                    let _e378 = (_e356 + _e377);
-                    let _e379 = (_e356 - _e377);
-                    let _e380 = select(_e365, 0f, _e369);
-                    if _e369 {
-                        phi_605_ = 38685626000000000000000000f;
+                    let _e413 = phi_740_;
+                    let _e414 = bitcast<u32>(_e413);
+                    let _e416 = ((_e414 & 2139095040u) != 0u);
+                    let _e430 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e414 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e414 & 2147483648u))), _e413, _e416) * _e301) * select(0.00000011920929f, 1f, _e416)) * _e307);
+                    let _e434 = (bitcast<f32>((bitcast<u32>(_e430) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e434 {
+                        let _e438 = (bitcast<f32>((bitcast<u32>(_e406) & 2147483647u)) * 0.00000011920929f);
+                        phi_792_ = select(0.00000000000011368684f, _e438, (_e438 > 0.00000000000011368684f));
                     } else {
-                        phi_605_ = (1f / _e365);
+                        phi_792_ = 0f;
                     }
-                    let _e383 = phi_605_;
-                    let _e384 = (_e269 == 0u);
-                    if _e384 {
-                        phi_614_ = _e306[0];
+                    let _e442 = phi_792_;
+                    let _e443 = (_e406 + _e442);
+                    let _e444 = (_e406 - _e442);
+                    let _e445 = select(_e430, 0f, _e434);
+                    if _e434 {
+                        phi_803_ = 38685626000000000000000000f;
                     } else {
-                        phi_614_ = _e306[1];
+                        phi_803_ = (1f / _e430);
                     }
-                    let _e388 = phi_614_;
-                    let _e389 = (_e269 == 2u);
-                    if _e389 {
-                        phi_620_ = _e306[2];
+                    let _e448 = phi_803_;
+                    let _e449 = (_e274 == 0u);
+                    if _e449 {
+                        phi_812_ = _e311[0];
                     } else {
-                        phi_620_ = _e388;
+                        phi_812_ = _e311[1];
                     }
-                    let _e392 = phi_620_;
-                    let _e394 = ((_e392 * _e279) * _e285);
-                    if _e384 {
-                        phi_631_ = _e318[0];
+                    let _e453 = phi_812_;
+                    let _e454 = (_e274 == 2u);
+                    if _e454 {
+                        phi_818_ = _e311[2];
                     } else {
-                        phi_631_ = _e318[1];
+                        phi_818_ = _e453;
                     }
-                    let _e398 = phi_631_;
-                    if _e389 {
-                        phi_637_ = _e318[2];
+                    let _e457 = phi_818_;
+                    let _e458 = bitcast<u32>(_e457);
+                    let _e460 = ((_e458 & 2139095040u) != 0u);
+                    let _e474 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e458 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e458 & 2147483648u))), _e457, _e460) * _e284) * select(0.00000011920929f, 1f, _e460)) * _e290);
+                    if _e449 {
+                        phi_858_ = _e338[0];
                     } else {
-                        phi_637_ = _e398;
+                        phi_858_ = _e338[1];
                     }
-                    let _e401 = phi_637_;
-                    let _e403 = ((_e401 * _e296) * _e302);
-                    let _e407 = (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e407 {
-                        let _e411 = (bitcast<f32>((bitcast<u32>(_e394) & 2147483647u)) * 0.00000011920929f);
-                        phi_660_ = select(0.00000000000011368684f, _e411, (_e411 > 0.00000000000011368684f));
+                    let _e478 = phi_858_;
+                    if _e454 {
+                        phi_864_ = _e338[2];
                     } else {
-                        phi_660_ = 0f;
+                        phi_864_ = _e478;
                     }
-                    let _e415 = phi_660_;
-                    let _e416 = (_e394 + _e415);
-                    let _e417 = (_e394 - _e415);
-                    let _e418 = select(_e403, 0f, _e407);
-                    if _e407 {
-                        phi_671_ = 38685626000000000000000000f;
+                    let _e481 = phi_864_;
+                    let _e482 = bitcast<u32>(_e481);
+                    let _e484 = ((_e482 & 2139095040u) != 0u);
+                    let _e498 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e482 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e482 & 2147483648u))), _e481, _e484) * _e301) * select(0.00000011920929f, 1f, _e484)) * _e307);
+                    let _e502 = (bitcast<f32>((bitcast<u32>(_e498) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e502 {
+                        let _e506 = (bitcast<f32>((bitcast<u32>(_e474) & 2147483647u)) * 0.00000011920929f);
+                        phi_916_ = select(0.00000000000011368684f, _e506, (_e506 > 0.00000000000011368684f));
                     } else {
-                        phi_671_ = (1f / _e403);
+                        phi_916_ = 0f;
                     }
-                    let _e421 = phi_671_;
-                    let _e424 = bitcast<f32>((bitcast<u32>(_e317) & 2147483647u));
-                    let _e427 = bitcast<f32>((bitcast<u32>(_e356) & 2147483647u));
-                    let _e429 = select(_e427, _e424, (_e424 > _e427));
-                    let _e432 = bitcast<f32>((bitcast<u32>(_e394) & 2147483647u));
-                    let _e435 = (_e136 + _e249);
-                    if (_e230 && (select(_e432, _e429, (_e429 > _e432)) <= 1099511600000f)) {
-                        let _e438 = (_e435 / 3i);
-                        let _e445 = bitcast<f32>((bitcast<u32>((_e438 + 127i)) << bitcast<u32>(23i)));
-                        let _e452 = bitcast<f32>((bitcast<u32>(((_e435 - (2i * _e438)) + 127i)) << bitcast<u32>(23i)));
-                        let _e453 = (((_e215 * _e445) * _e445) * _e452);
-                        let _e455 = select(340282350000000000000000000000000000000f, _e453, (_e453 < 340282350000000000000000000000000000000f));
-                        let _e460 = (((_e224 * _e445) * _e445) * _e452);
-                        let _e462 = select(340282350000000000000000000000000000000f, _e460, (_e460 < 340282350000000000000000000000000000000f));
-                        phi_771_ = select(-340282350000000000000000000000000000000f, _e462, (_e462 > -340282350000000000000000000000000000000f));
-                        phi_772_ = select(-340282350000000000000000000000000000000f, _e455, (_e455 > -340282350000000000000000000000000000000f));
+                    let _e510 = phi_916_;
+                    let _e511 = (_e474 + _e510);
+                    let _e512 = (_e474 - _e510);
+                    let _e513 = select(_e498, 0f, _e502);
+                    if _e502 {
+                        phi_927_ = 38685626000000000000000000f;
                     } else {
-                        phi_771_ = 0f;
-                        phi_772_ = 1f;
+                        phi_927_ = (1f / _e498);
                     }
-                    let _e466 = phi_771_;
-                    let _e468 = phi_772_;
+                    let _e516 = phi_927_;
+                    let _e519 = bitcast<f32>((bitcast<u32>(_e337) & 2147483647u));
+                    let _e522 = bitcast<f32>((bitcast<u32>(_e406) & 2147483647u));
+                    let _e524 = select(_e522, _e519, (_e519 > _e522));
+                    let _e527 = bitcast<f32>((bitcast<u32>(_e474) & 2147483647u));
+                    let _e530 = (_e141 + _e254);
+                    if (_e235 && (select(_e527, _e524, (_e524 > _e527)) <= 1099511600000f)) {
+                        let _e540 = ((_e222 & 8388607u) | (select(0u, 1u, ((_e222 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e543 = bitcast<i32>((_e222 >> bitcast<u32>(23i)));
+                        let _e547 = (_e540 == 0u);
+                        let _e550 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e540)), 32u, _e547)) - 8i);
+                        if (_e543 == 255i) {
+                            phi_982_ = 255i;
+                        } else {
+                            phi_982_ = (((_e543 + select(0i, 1i, (_e543 == 0i))) - _e550) + _e530);
+                        }
+                        let _e558 = phi_982_;
+                        let _e568 = (_e558 <= 0i);
+                        if _e568 {
+                            phi_1005_ = u32();
+                        } else {
+                            if _e547 {
+                                phi_1004_ = u32();
+                            } else {
+                                phi_1004_ = select(((bitcast<u32>(_e558) << bitcast<u32>(23i)) | ((_e540 << bitcast<u32>(((_e550 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e558 >= 255i));
+                            }
+                            let _e572 = phi_1004_;
+                            phi_1005_ = _e572;
+                        }
+                        let _e574 = phi_1005_;
+                        let _e586 = ((_e231 & 8388607u) | (select(0u, 1u, ((_e231 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e589 = bitcast<i32>((_e231 >> bitcast<u32>(23i)));
+                        let _e593 = (_e586 == 0u);
+                        let _e596 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e586)), 32u, _e593)) - 8i);
+                        if (_e589 == 255i) {
+                            phi_1042_ = 255i;
+                        } else {
+                            phi_1042_ = (((_e589 + select(0i, 1i, (_e589 == 0i))) - _e596) + _e530);
+                        }
+                        let _e604 = phi_1042_;
+                        let _e614 = (_e604 <= 0i);
+                        if _e614 {
+                            phi_1065_ = u32();
+                        } else {
+                            if _e593 {
+                                phi_1064_ = u32();
+                            } else {
+                                phi_1064_ = select(((bitcast<u32>(_e604) << bitcast<u32>(23i)) | ((_e586 << bitcast<u32>(((_e596 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e604 >= 255i));
+                            }
+                            let _e618 = phi_1064_;
+                            phi_1065_ = _e618;
+                        }
+                        let _e620 = phi_1065_;
+                        phi_1073_ = bitcast<f32>(((_e230 & 2147483648u) | select(_e620, 0u, select(_e593, true, _e614))));
+                        phi_1074_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e574, 0u, select(_e547, true, _e568))));
+                    } else {
+                        phi_1073_ = 0f;
+                        phi_1074_ = 1f;
+                    }
+                    let _e626 = phi_1073_;
+                    let _e628 = phi_1074_;
                     local_9 = array<type_24, 8>(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -538,1433 +615,1532 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e471 = (_e268 % 3u);
-                    let _e472 = (_e471 < 3u);
-                    if _e472 {
+                    let _e631 = (_e273 % 3u);
+                    let _e632 = (_e631 < 3u);
+                    if _e632 {
                     } else {
                         break;
                     }
-                    let _e474 = local_1[_e471];
-                    let _e477 = (_e267 % 3u);
-                    let _e478 = (_e477 < 3u);
-                    if _e478 {
+                    let _e634 = local_1[_e631];
+                    let _e637 = (_e272 % 3u);
+                    let _e638 = (_e637 < 3u);
+                    if _e638 {
                     } else {
                         break;
                     }
-                    let _e480 = local_1[_e477];
-                    let _e483 = (_e269 % 3u);
-                    let _e484 = (_e483 < 3u);
-                    if _e484 {
+                    let _e640 = local_1[_e637];
+                    let _e643 = (_e274 % 3u);
+                    let _e644 = (_e643 < 3u);
+                    if _e644 {
                     } else {
                         break;
                     }
-                    let _e486 = local_1[_e483];
-                    if _e472 {
+                    let _e646 = local_1[_e643];
+                    if _e632 {
                     } else {
                         break;
                     }
-                    let _e491 = local[_e471];
-                    if _e478 {
+                    let _e651 = local[_e631];
+                    if _e638 {
                     } else {
                         break;
                     }
-                    let _e495 = local[_e477];
-                    if _e484 {
+                    let _e655 = local[_e637];
+                    if _e644 {
                     } else {
                         break;
                     }
-                    let _e499 = local[_e483];
-                    phi_4469_ = false;
-                    phi_4325_ = _e466;
-                    phi_914_ = type_51(type_28(vec4<f32>((f32(_e474) * _e148), (f32(_e480) * _e148), (f32(_e486) * _e148), 0f), vec4<f32>((f32(_e491) * _e148), (f32(_e495) * _e148), (f32(_e499) * _e148), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
-                    phi_917_ = ((3u * _e97) + 1u);
-                    phi_919_ = (_e468 <= _e466);
-                    phi_921_ = 0u;
+                    let _e659 = local[_e643];
+                    phi_4895_ = false;
+                    phi_4751_ = _e626;
+                    phi_1216_ = type_51(type_28(vec4<f32>((f32(_e634) * _e153), (f32(_e640) * _e153), (f32(_e646) * _e153), 0f), vec4<f32>((f32(_e651) * _e153), (f32(_e655) * _e153), (f32(_e659) * _e153), 0f)), select(0u, 2147483648u, (_e102 == 0u)));
+                    phi_1219_ = ((3u * _e102) + 1u);
+                    phi_1221_ = (_e628 <= _e626);
+                    phi_1223_ = 0u;
                     loop {
-                        let _e509 = phi_4469_;
-                        let _e511 = phi_4325_;
-                        let _e513 = phi_914_;
-                        let _e515 = phi_917_;
-                        let _e517 = phi_919_;
-                        let _e519 = phi_921_;
-                        if _e517 {
-                            phi_932_ = true;
+                        let _e669 = phi_4895_;
+                        let _e671 = phi_4751_;
+                        let _e673 = phi_1216_;
+                        let _e675 = phi_1219_;
+                        let _e677 = phi_1221_;
+                        let _e679 = phi_1223_;
+                        if _e677 {
+                            phi_1234_ = true;
                         } else {
-                            phi_932_ = (_e519 > 0u);
+                            phi_1234_ = (_e679 > 0u);
                         }
-                        let _e522 = phi_932_;
-                        if _e522 {
-                            let _e523 = (_e515 > 0u);
-                            if _e523 {
-                                if _e517 {
-                                    phi_1019_ = _e513;
-                                    phi_1020_ = _e517;
-                                    phi_1021_ = _e519;
+                        let _e682 = phi_1234_;
+                        if _e682 {
+                            let _e683 = (_e675 > 0u);
+                            if _e683 {
+                                if _e677 {
+                                    phi_1321_ = _e673;
+                                    phi_1322_ = _e677;
+                                    phi_1323_ = _e679;
                                 } else {
-                                    let _e524 = (_e519 - 1u);
-                                    let _e525 = (_e524 % 128u);
-                                    let _e526 = (_e525 < 128u);
-                                    if _e526 {
+                                    let _e684 = (_e679 - 1u);
+                                    let _e685 = (_e684 % 128u);
+                                    let _e686 = (_e685 < 128u);
+                                    if _e686 {
                                     } else {
-                                        phi_4631_ = true;
+                                        phi_5075_ = true;
                                         break;
                                     }
-                                    let _e528 = local_7[_e525];
-                                    if _e526 {
+                                    let _e688 = local_7[_e685];
+                                    if _e686 {
                                     } else {
-                                        phi_4631_ = true;
+                                        phi_5075_ = true;
                                         break;
                                     }
-                                    let _e530 = local_6[_e525];
-                                    if _e526 {
+                                    let _e690 = local_6[_e685];
+                                    if _e686 {
                                     } else {
-                                        phi_4631_ = true;
+                                        phi_5075_ = true;
                                         break;
                                     }
-                                    let _e532 = local_5[_e525];
-                                    if _e526 {
+                                    let _e692 = local_5[_e685];
+                                    if _e686 {
                                     } else {
-                                        phi_4631_ = true;
+                                        phi_5075_ = true;
                                         break;
                                     }
-                                    let _e534 = local_4[_e525];
-                                    if _e526 {
+                                    let _e694 = local_4[_e685];
+                                    if _e686 {
                                     } else {
-                                        phi_4631_ = true;
+                                        phi_5075_ = true;
                                         break;
                                     }
-                                    let _e536 = local_3[_e525];
-                                    if _e526 {
+                                    let _e696 = local_3[_e685];
+                                    if _e686 {
                                     } else {
-                                        phi_4631_ = true;
+                                        phi_5075_ = true;
                                         break;
                                     }
-                                    let _e538 = local_2[_e525];
-                                    if _e526 {
+                                    let _e698 = local_2[_e685];
+                                    if _e686 {
                                     } else {
-                                        phi_4631_ = true;
+                                        phi_5075_ = true;
                                         break;
                                     }
-                                    let _e543 = local_8[_e525];
-                                    if _e526 {
+                                    let _e703 = local_8[_e685];
+                                    if _e686 {
                                     } else {
-                                        phi_4631_ = true;
+                                        phi_5075_ = true;
                                         break;
                                     }
-                                    let _e546 = local_10[_e525];
-                                    phi_1019_ = type_51(type_28(vec4<f32>(_e528, _e530, _e532, 0f), vec4<f32>(_e534, _e536, _e538, 0f)), _e543);
-                                    phi_1020_ = (_e546 <= _e511);
-                                    phi_1021_ = _e524;
+                                    let _e706 = local_10[_e685];
+                                    phi_1321_ = type_51(type_28(vec4<f32>(_e688, _e690, _e692, 0f), vec4<f32>(_e694, _e696, _e698, 0f)), _e703);
+                                    phi_1322_ = (_e706 <= _e671);
+                                    phi_1323_ = _e684;
                                 }
-                                let _e549 = phi_1019_;
-                                let _e551 = phi_1020_;
-                                let _e553 = phi_1021_;
-                                if _e551 {
-                                    let _e558 = (_e549.member_1 & 268435455u);
-                                    if ((_e549.member_1 & 2147483648u) != 0u) {
-                                        phi_4466_ = _e509;
-                                        phi_4409_ = _e511;
-                                        phi_1040_ = type_8(0u, ((_e549.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e709 = phi_1321_;
+                                let _e711 = phi_1322_;
+                                let _e713 = phi_1323_;
+                                if _e711 {
+                                    let _e718 = (_e709.member_1 & 268435455u);
+                                    if ((_e709.member_1 & 2147483648u) != 0u) {
+                                        phi_4892_ = _e669;
+                                        phi_4835_ = _e671;
+                                        phi_1342_ = type_8(0u, ((_e709.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1017 = phi_4466_;
-                                            let _e1019 = phi_4409_;
-                                            let _e1021 = phi_1040_;
-                                            if (_e1021.member < _e1021.member_1) {
-                                                phi_1041_ = type_8((_e1021.member + 1u), _e1021.member_1);
-                                                phi_1064_ = type_8(1u, _e1021.member);
+                                            let _e1183 = phi_4892_;
+                                            let _e1185 = phi_4835_;
+                                            let _e1187 = phi_1342_;
+                                            if (_e1187.member < _e1187.member_1) {
+                                                phi_1343_ = type_8((_e1187.member + 1u), _e1187.member_1);
+                                                phi_1366_ = type_8(1u, _e1187.member);
                                             } else {
-                                                phi_1041_ = _e1021;
-                                                phi_1064_ = type_8(0u, type_8().member_1);
+                                                phi_1343_ = _e1187;
+                                                phi_1366_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1034 = phi_1041_;
-                                            let _e1036 = phi_1064_;
-                                            let _e1040 = (bitcast<i32>(_e1036.member) != 0i);
-                                            if _e1040 {
-                                                let _e1045 = (_e549.member.member_1.x - _e549.member.member.x);
-                                                let _e1048 = (_e549.member.member_1.y - _e549.member.member.y);
-                                                let _e1051 = (_e549.member.member_1.z - _e549.member.member.z);
-                                                let _e1053 = select(_e1048, _e1045, (_e1045 > _e1048));
-                                                let _e1055 = select(_e1051, _e1053, (_e1053 > _e1051));
-                                                let _e1057 = (_e1055 < (1024f * _e148));
-                                                if _e1057 {
-                                                    phi_1105_ = 0u;
+                                            let _e1200 = phi_1343_;
+                                            let _e1202 = phi_1366_;
+                                            let _e1206 = (bitcast<i32>(_e1202.member) != 0i);
+                                            if _e1206 {
+                                                let _e1211 = (_e709.member.member_1.x - _e709.member.member.x);
+                                                let _e1214 = (_e709.member.member_1.y - _e709.member.member.y);
+                                                let _e1217 = (_e709.member.member_1.z - _e709.member.member.z);
+                                                let _e1219 = select(_e1214, _e1211, (_e1211 > _e1214));
+                                                let _e1221 = select(_e1217, _e1219, (_e1219 > _e1217));
+                                                let _e1223 = (_e1221 < (1024f * _e153));
+                                                if _e1223 {
+                                                    phi_1407_ = 0u;
                                                 } else {
-                                                    phi_1105_ = select(2u, 1u, (_e1055 < (2097152f * _e148)));
+                                                    phi_1407_ = select(2u, 1u, (_e1221 < (2097152f * _e153)));
                                                 }
-                                                let _e1062 = phi_1105_;
-                                                switch bitcast<i32>(_e1062) {
+                                                let _e1228 = phi_1407_;
+                                                switch bitcast<i32>(_e1228) {
                                                     case 0: {
-                                                        phi_1111_ = 1u;
+                                                        phi_1413_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1111_ = 2u;
+                                                        phi_1413_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1111_ = 3u;
+                                                        phi_1413_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1111_ = u32();
+                                                        phi_1413_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1065 = phi_1111_;
-                                                switch bitcast<i32>(_e1062) {
+                                                let _e1231 = phi_1413_;
+                                                switch bitcast<i32>(_e1228) {
                                                     case 0: {
-                                                        phi_1121_ = 1u;
+                                                        phi_1423_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1121_ = 2u;
+                                                        phi_1423_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1121_ = 3u;
+                                                        phi_1423_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1121_ = u32();
+                                                        phi_1423_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1072 = phi_1121_;
-                                                let _e1074 = ((_e558 + (_e1036.member_1 * ((3u * _e1065) + 1u))) + (3u * _e1072));
-                                                let _e1075 = (_e1074 < _e100);
-                                                if _e1075 {
-                                                    if _e1075 {
+                                                let _e1238 = phi_1423_;
+                                                let _e1240 = ((_e718 + (_e1202.member_1 * ((3u * _e1231) + 1u))) + (3u * _e1238));
+                                                let _e1241 = (_e1240 < _e105);
+                                                if _e1241 {
+                                                    if _e1241 {
                                                     } else {
-                                                        phi_4773_ = _e1019;
-                                                        phi_4626_ = true;
+                                                        phi_5228_ = _e1185;
+                                                        phi_5070_ = true;
                                                         break;
                                                     }
-                                                    let _e1077 = global_5.member[_e1074];
-                                                    phi_1137_ = _e1077;
+                                                    let _e1243 = global_5.member[_e1240];
+                                                    phi_1439_ = _e1243;
                                                 } else {
-                                                    phi_1137_ = 4294967295u;
+                                                    phi_1439_ = 4294967295u;
                                                 }
-                                                let _e1079 = phi_1137_;
-                                                if _e1057 {
-                                                    phi_1170_ = 0u;
+                                                let _e1245 = phi_1439_;
+                                                if _e1223 {
+                                                    phi_1472_ = 0u;
                                                 } else {
-                                                    phi_1170_ = select(2u, 1u, (_e1055 < (2097152f * _e148)));
+                                                    phi_1472_ = select(2u, 1u, (_e1221 < (2097152f * _e153)));
                                                 }
-                                                let _e1084 = phi_1170_;
-                                                switch bitcast<i32>(_e1084) {
+                                                let _e1250 = phi_1472_;
+                                                switch bitcast<i32>(_e1250) {
                                                     case 0: {
-                                                        phi_1176_ = 1u;
+                                                        phi_1478_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1176_ = 2u;
+                                                        phi_1478_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1176_ = 3u;
+                                                        phi_1478_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1176_ = u32();
+                                                        phi_1478_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1087 = phi_1176_;
-                                                let _e1091 = (_e558 + (_e1036.member_1 * ((3u * _e1087) + 1u)));
-                                                switch bitcast<i32>(_e1084) {
+                                                let _e1253 = phi_1478_;
+                                                let _e1257 = (_e718 + (_e1202.member_1 * ((3u * _e1253) + 1u)));
+                                                switch bitcast<i32>(_e1250) {
                                                     case 0: {
-                                                        let _e1357 = (_e1091 < _e100);
-                                                        if _e1357 {
-                                                            if _e1357 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1359 = global_5.member[_e1091];
-                                                            phi_1200_ = _e1359;
-                                                        } else {
-                                                            phi_1200_ = 0u;
-                                                        }
-                                                        let _e1361 = phi_1200_;
-                                                        let _e1363 = ((10u * _e268) & 31u);
-                                                        let _e1372 = ((10u * _e267) & 31u);
-                                                        let _e1381 = ((10u * _e269) & 31u);
-                                                        let _e1390 = (_e1091 + 1u);
-                                                        let _e1391 = (_e1390 < _e100);
-                                                        if _e1391 {
-                                                            if _e1391 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1393 = global_5.member[_e1390];
-                                                            phi_1243_ = _e1393;
-                                                        } else {
-                                                            phi_1243_ = 0u;
-                                                        }
-                                                        let _e1395 = phi_1243_;
-                                                        let _e1418 = (_e1091 + 2u);
-                                                        let _e1419 = (_e1418 < _e100);
-                                                        if _e1419 {
-                                                            if _e1419 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1421 = global_5.member[_e1418];
-                                                            phi_1286_ = _e1421;
-                                                        } else {
-                                                            phi_1286_ = 0u;
-                                                        }
-                                                        let _e1423 = phi_1286_;
-                                                        phi_1757_ = array<array<f32, 3>, 3>(array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>(((_e1361 >> bitcast<u32>(_e1363)) & 1023u))) * _e148)), (_e549.member.member.y + (f32(bitcast<i32>(((_e1361 >> bitcast<u32>(_e1372)) & 1023u))) * _e148)), (_e549.member.member.z + (f32(bitcast<i32>(((_e1361 >> bitcast<u32>(_e1381)) & 1023u))) * _e148))), array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>(((_e1395 >> bitcast<u32>(_e1363)) & 1023u))) * _e148)), (_e549.member.member.y + (f32(bitcast<i32>(((_e1395 >> bitcast<u32>(_e1372)) & 1023u))) * _e148)), (_e549.member.member.z + (f32(bitcast<i32>(((_e1395 >> bitcast<u32>(_e1381)) & 1023u))) * _e148))), array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>(((_e1423 >> bitcast<u32>(_e1363)) & 1023u))) * _e148)), (_e549.member.member.y + (f32(bitcast<i32>(((_e1423 >> bitcast<u32>(_e1372)) & 1023u))) * _e148)), (_e549.member.member.z + (f32(bitcast<i32>(((_e1423 >> bitcast<u32>(_e1381)) & 1023u))) * _e148))));
-                                                        break;
-                                                    }
-                                                    case 1: {
-                                                        let _e1180 = (_e1091 < _e100);
-                                                        if _e1180 {
-                                                            if _e1180 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1182 = global_5.member[_e1091];
-                                                            phi_1329_ = _e1182;
-                                                        } else {
-                                                            phi_1329_ = 0u;
-                                                        }
-                                                        let _e1184 = phi_1329_;
-                                                        let _e1185 = (_e1091 + 1u);
-                                                        let _e1186 = (_e1185 < _e100);
-                                                        if _e1186 {
-                                                            if _e1186 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1188 = global_5.member[_e1185];
-                                                            phi_1344_ = _e1188;
-                                                        } else {
-                                                            phi_1344_ = 0u;
-                                                        }
-                                                        let _e1190 = phi_1344_;
-                                                        let _e1191 = (_e268 == 1u);
-                                                        if _e1191 {
-                                                            phi_1354_ = ((_e1184 >> bitcast<u32>(21i)) | (_e1190 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1354_ = (_e1190 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1200 = phi_1354_;
-                                                        let _e1207 = (_e267 == 1u);
-                                                        if _e1207 {
-                                                            phi_1374_ = ((_e1184 >> bitcast<u32>(21i)) | (_e1190 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1374_ = (_e1190 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1216 = phi_1374_;
-                                                        let _e1223 = (_e269 == 1u);
-                                                        if _e1223 {
-                                                            phi_1394_ = ((_e1184 >> bitcast<u32>(21i)) | (_e1190 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1394_ = (_e1190 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1232 = phi_1394_;
-                                                        let _e1240 = (_e1091 + 2u);
-                                                        let _e1241 = (_e1240 < _e100);
-                                                        if _e1241 {
-                                                            if _e1241 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1243 = global_5.member[_e1240];
-                                                            phi_1420_ = _e1243;
-                                                        } else {
-                                                            phi_1420_ = 0u;
-                                                        }
-                                                        let _e1245 = phi_1420_;
-                                                        let _e1246 = (_e1091 + 3u);
-                                                        let _e1247 = (_e1246 < _e100);
-                                                        if _e1247 {
-                                                            if _e1247 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1249 = global_5.member[_e1246];
-                                                            phi_1435_ = _e1249;
-                                                        } else {
-                                                            phi_1435_ = 0u;
-                                                        }
-                                                        let _e1251 = phi_1435_;
-                                                        if _e1191 {
-                                                            phi_1445_ = ((_e1245 >> bitcast<u32>(21i)) | (_e1251 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1445_ = (_e1251 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1260 = phi_1445_;
-                                                        if _e1207 {
-                                                            phi_1465_ = ((_e1245 >> bitcast<u32>(21i)) | (_e1251 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1465_ = (_e1251 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1275 = phi_1465_;
-                                                        if _e1223 {
-                                                            phi_1485_ = ((_e1245 >> bitcast<u32>(21i)) | (_e1251 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1485_ = (_e1251 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1290 = phi_1485_;
-                                                        let _e1298 = (_e1091 + 4u);
-                                                        let _e1299 = (_e1298 < _e100);
-                                                        if _e1299 {
-                                                            if _e1299 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1301 = global_5.member[_e1298];
-                                                            phi_1511_ = _e1301;
-                                                        } else {
-                                                            phi_1511_ = 0u;
-                                                        }
-                                                        let _e1303 = phi_1511_;
-                                                        let _e1304 = (_e1091 + 5u);
-                                                        let _e1305 = (_e1304 < _e100);
-                                                        if _e1305 {
-                                                            if _e1305 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1307 = global_5.member[_e1304];
-                                                            phi_1526_ = _e1307;
-                                                        } else {
-                                                            phi_1526_ = 0u;
-                                                        }
-                                                        let _e1309 = phi_1526_;
-                                                        if _e1191 {
-                                                            phi_1536_ = ((_e1303 >> bitcast<u32>(21i)) | (_e1309 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1536_ = (_e1309 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1318 = phi_1536_;
-                                                        if _e1207 {
-                                                            phi_1556_ = ((_e1303 >> bitcast<u32>(21i)) | (_e1309 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1556_ = (_e1309 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1333 = phi_1556_;
-                                                        if _e1223 {
-                                                            phi_1576_ = ((_e1303 >> bitcast<u32>(21i)) | (_e1309 << bitcast<u32>(11i)));
-                                                        } else {
-                                                            phi_1576_ = (_e1309 >> bitcast<u32>(10i));
-                                                        }
-                                                        let _e1348 = phi_1576_;
-                                                        phi_1757_ = array<array<f32, 3>, 3>(array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>((select(_e1200, _e1184, _e307) & 2097151u))) * _e148)), (_e549.member.member.y + (f32(bitcast<i32>((select(_e1216, _e1184, _e346) & 2097151u))) * _e148)), (_e549.member.member.z + (f32(bitcast<i32>((select(_e1232, _e1184, _e384) & 2097151u))) * _e148))), array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>((select(_e1260, _e1245, _e307) & 2097151u))) * _e148)), (_e549.member.member.y + (f32(bitcast<i32>((select(_e1275, _e1245, _e346) & 2097151u))) * _e148)), (_e549.member.member.z + (f32(bitcast<i32>((select(_e1290, _e1245, _e384) & 2097151u))) * _e148))), array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>((select(_e1318, _e1303, _e307) & 2097151u))) * _e148)), (_e549.member.member.y + (f32(bitcast<i32>((select(_e1333, _e1303, _e346) & 2097151u))) * _e148)), (_e549.member.member.z + (f32(bitcast<i32>((select(_e1348, _e1303, _e384) & 2097151u))) * _e148))));
-                                                        break;
-                                                    }
-                                                    case 2: {
-                                                        let _e1093 = (_e1091 + _e268);
-                                                        let _e1094 = (_e1093 < _e100);
-                                                        if _e1094 {
-                                                            if _e1094 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1096 = global_5.member[_e1093];
-                                                            phi_1603_ = _e1096;
-                                                        } else {
-                                                            phi_1603_ = 0u;
-                                                        }
-                                                        let _e1098 = phi_1603_;
-                                                        let _e1102 = (_e1091 + _e267);
-                                                        let _e1103 = (_e1102 < _e100);
-                                                        if _e1103 {
-                                                            if _e1103 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1105 = global_5.member[_e1102];
-                                                            phi_1621_ = _e1105;
-                                                        } else {
-                                                            phi_1621_ = 0u;
-                                                        }
-                                                        let _e1107 = phi_1621_;
-                                                        let _e1111 = (_e1091 + _e269);
-                                                        let _e1112 = (_e1111 < _e100);
-                                                        if _e1112 {
-                                                            if _e1112 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1114 = global_5.member[_e1111];
-                                                            phi_1639_ = _e1114;
-                                                        } else {
-                                                            phi_1639_ = 0u;
-                                                        }
-                                                        let _e1116 = phi_1639_;
-                                                        let _e1121 = (_e1091 + 3u);
-                                                        let _e1122 = (_e1121 + _e268);
-                                                        let _e1123 = (_e1122 < _e100);
-                                                        if _e1123 {
-                                                            if _e1123 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1125 = global_5.member[_e1122];
-                                                            phi_1659_ = _e1125;
-                                                        } else {
-                                                            phi_1659_ = 0u;
-                                                        }
-                                                        let _e1127 = phi_1659_;
-                                                        let _e1131 = (_e1121 + _e267);
-                                                        let _e1132 = (_e1131 < _e100);
-                                                        if _e1132 {
-                                                            if _e1132 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1134 = global_5.member[_e1131];
-                                                            phi_1677_ = _e1134;
-                                                        } else {
-                                                            phi_1677_ = 0u;
-                                                        }
-                                                        let _e1136 = phi_1677_;
-                                                        let _e1140 = (_e1121 + _e269);
-                                                        let _e1141 = (_e1140 < _e100);
-                                                        if _e1141 {
-                                                            if _e1141 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1143 = global_5.member[_e1140];
-                                                            phi_1695_ = _e1143;
-                                                        } else {
-                                                            phi_1695_ = 0u;
-                                                        }
-                                                        let _e1145 = phi_1695_;
-                                                        let _e1150 = (_e1091 + 6u);
-                                                        let _e1151 = (_e1150 + _e268);
-                                                        let _e1152 = (_e1151 < _e100);
-                                                        if _e1152 {
-                                                            if _e1152 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1154 = global_5.member[_e1151];
-                                                            phi_1715_ = _e1154;
-                                                        } else {
-                                                            phi_1715_ = 0u;
-                                                        }
-                                                        let _e1156 = phi_1715_;
-                                                        let _e1160 = (_e1150 + _e267);
-                                                        let _e1161 = (_e1160 < _e100);
-                                                        if _e1161 {
-                                                            if _e1161 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1163 = global_5.member[_e1160];
-                                                            phi_1733_ = _e1163;
-                                                        } else {
-                                                            phi_1733_ = 0u;
-                                                        }
-                                                        let _e1165 = phi_1733_;
-                                                        let _e1169 = (_e1150 + _e269);
-                                                        let _e1170 = (_e1169 < _e100);
-                                                        if _e1170 {
-                                                            if _e1170 {
-                                                            } else {
-                                                                phi_4773_ = _e1019;
-                                                                phi_4626_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1172 = global_5.member[_e1169];
-                                                            phi_1751_ = _e1172;
-                                                        } else {
-                                                            phi_1751_ = 0u;
-                                                        }
-                                                        let _e1174 = phi_1751_;
-                                                        phi_1757_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1098)) * _e148), (f32(bitcast<i32>(_e1107)) * _e148), (f32(bitcast<i32>(_e1116)) * _e148)), array<f32, 3>((f32(bitcast<i32>(_e1127)) * _e148), (f32(bitcast<i32>(_e1136)) * _e148), (f32(bitcast<i32>(_e1145)) * _e148)), array<f32, 3>((f32(bitcast<i32>(_e1156)) * _e148), (f32(bitcast<i32>(_e1165)) * _e148), (f32(bitcast<i32>(_e1174)) * _e148)));
-                                                        break;
-                                                    }
-                                                    default: {
-                                                        phi_1757_ = array<array<f32, 3>, 3>();
-                                                        break;
-                                                    }
-                                                }
-                                                let _e1448 = phi_1757_;
-                                                let _e1455 = (_e1448[0][2] - _e394);
-                                                let _e1458 = (((_e1448[0][0] - _e317) * _e418) - (_e1455 * _e342));
-                                                let _e1461 = (((_e1448[0][1] - _e356) * _e418) - (_e1455 * _e380));
-                                                let _e1468 = (_e1448[1][2] - _e394);
-                                                let _e1471 = (((_e1448[1][0] - _e317) * _e418) - (_e1468 * _e342));
-                                                let _e1474 = (((_e1448[1][1] - _e356) * _e418) - (_e1468 * _e380));
-                                                let _e1481 = (_e1448[2][2] - _e394);
-                                                let _e1484 = (((_e1448[2][0] - _e317) * _e418) - (_e1481 * _e342));
-                                                let _e1487 = (((_e1448[2][1] - _e356) * _e418) - (_e1481 * _e380));
-                                                let _e1488 = (_e1484 * _e1474);
-                                                let _e1489 = (_e1487 * _e1471);
-                                                let _e1490 = (_e1458 * _e1487);
-                                                let _e1491 = (_e1461 * _e1484);
-                                                let _e1492 = (_e1471 * _e1461);
-                                                let _e1493 = (_e1474 * _e1458);
-                                                let _e1498 = (((_e1488 >= _e1489) && (_e1490 >= _e1491)) && (_e1492 >= _e1493));
-                                                if (_e1498 || (((_e1488 <= _e1489) && (_e1490 <= _e1491)) && (_e1492 <= _e1493))) {
-                                                    let _e1505 = select(-1f, 1f, _e1498);
-                                                    let _e1507 = ((_e1488 - _e1489) * _e1505);
-                                                    let _e1509 = select(0f, _e1507, (_e1507 > 0f));
-                                                    let _e1511 = ((_e1490 - _e1491) * _e1505);
-                                                    let _e1513 = select(0f, _e1511, (_e1511 > 0f));
-                                                    let _e1515 = ((_e1492 - _e1493) * _e1505);
-                                                    let _e1517 = select(0f, _e1515, (_e1515 > 0f));
-                                                    let _e1519 = ((_e1509 + _e1513) + _e1517);
-                                                    if (_e1519 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2583_ = type_24();
-                                                        phi_2584_ = true;
-                                                        phi_2585_ = false;
-                                                    } else {
-                                                        let _e1522 = select(_e1471, _e1458, (_e1458 < _e1471));
-                                                        if (select(_e1484, _e1522, (_e1522 < _e1484)) > 0f) {
-                                                            phi_1875_ = true;
-                                                        } else {
-                                                            let _e1527 = select(_e1471, _e1458, (_e1458 > _e1471));
-                                                            phi_1875_ = (select(_e1484, _e1527, (_e1527 > _e1484)) < 0f);
-                                                        }
-                                                        let _e1532 = phi_1875_;
+                                                        let _e1532 = (_e1257 < _e105);
                                                         if _e1532 {
-                                                            phi_2580_ = type_24();
-                                                            phi_2581_ = true;
-                                                            phi_2582_ = false;
+                                                            if _e1532 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1534 = global_5.member[_e1257];
+                                                            phi_1502_ = _e1534;
                                                         } else {
-                                                            let _e1534 = select(_e1474, _e1461, (_e1461 < _e1474));
-                                                            if (select(_e1487, _e1534, (_e1534 < _e1487)) > 0f) {
-                                                                phi_1904_ = true;
-                                                            } else {
-                                                                let _e1539 = select(_e1474, _e1461, (_e1461 > _e1474));
-                                                                phi_1904_ = (select(_e1487, _e1539, (_e1539 > _e1487)) < 0f);
-                                                            }
-                                                            let _e1544 = phi_1904_;
-                                                            if _e1544 {
-                                                                phi_2578_ = type_24();
-                                                                phi_2579_ = false;
-                                                            } else {
-                                                                let _e1546 = select(_e1448[1][0], _e1448[0][0], (_e1448[0][0] < _e1448[1][0]));
-                                                                let _e1550 = select(_e1448[1][0], _e1448[0][0], (_e1448[0][0] > _e1448[1][0]));
-                                                                let _e1554 = select(_e1448[1][1], _e1448[0][1], (_e1448[0][1] < _e1448[1][1]));
-                                                                let _e1558 = select(_e1448[1][1], _e1448[0][1], (_e1448[0][1] > _e1448[1][1]));
-                                                                let _e1562 = select(_e1448[1][2], _e1448[0][2], (_e1448[0][2] < _e1448[1][2]));
-                                                                let _e1566 = select(_e1448[1][2], _e1448[0][2], (_e1448[0][2] > _e1448[1][2]));
-                                                                let _e1571 = ((select(_e1448[2][0], _e1546, (_e1546 < _e1448[2][0])) - _e340) * _e345);
-                                                                let _e1572 = ((select(_e1448[2][0], _e1550, (_e1550 > _e1448[2][0])) - _e341) * _e345);
-                                                                let _e1575 = ((select(_e1448[2][1], _e1554, (_e1554 < _e1448[2][1])) - _e378) * _e383);
-                                                                let _e1576 = ((select(_e1448[2][1], _e1558, (_e1558 > _e1448[2][1])) - _e379) * _e383);
-                                                                let _e1579 = ((select(_e1448[2][2], _e1562, (_e1562 < _e1448[2][2])) - _e416) * _e421);
-                                                                let _e1580 = ((select(_e1448[2][2], _e1566, (_e1566 > _e1448[2][2])) - _e417) * _e421);
-                                                                let _e1582 = select(_e1580, _e1579, (_e1579 < _e1580));
-                                                                let _e1584 = select(_e1580, _e1579, (_e1579 > _e1580));
-                                                                let _e1586 = select(_e1572, _e1571, (_e1571 < _e1572));
-                                                                let _e1588 = select(_e1576, _e1575, (_e1575 < _e1576));
-                                                                let _e1590 = select(_e1588, _e1586, (_e1586 > _e1588));
-                                                                let _e1592 = select(_e1582, _e1590, (_e1590 > _e1582));
-                                                                let _e1594 = select(_e1572, _e1571, (_e1571 > _e1572));
-                                                                let _e1596 = select(_e1576, _e1575, (_e1575 > _e1576));
-                                                                let _e1598 = select(_e1596, _e1594, (_e1594 < _e1596));
-                                                                let _e1600 = select(_e1584, _e1598, (_e1598 < _e1584));
-                                                                let _e1601 = -(_e1582);
-                                                                let _e1607 = select(_e468, _e1592, (_e1592 > _e468));
-                                                                if (_e1607 > (_e1600 + (select(_e1601, _e1584, (_e1584 > _e1601)) * 0.0000019073523f))) {
-                                                                    phi_2573_ = type_24();
-                                                                    phi_2574_ = true;
-                                                                } else {
-                                                                    let _e1609 = (_e1607 > _e1019);
-                                                                    if _e1609 {
-                                                                        phi_2572_ = type_24();
-                                                                    } else {
-                                                                        let _e1610 = vec3<f32>(_e1448[0][0], _e1448[0][1], _e1448[0][2]);
-                                                                        let _e1611 = vec3<f32>(_e1448[1][0], _e1448[1][1], _e1448[1][2]);
-                                                                        let _e1612 = vec3<f32>(_e1448[2][0], _e1448[2][1], _e1448[2][2]);
-                                                                        let _e1613 = (_e1448[1][0] - _e1448[0][0]);
-                                                                        let _e1614 = (_e1448[1][1] - _e1448[0][1]);
-                                                                        let _e1615 = (_e1448[1][2] - _e1448[0][2]);
-                                                                        let _e1616 = vec3<f32>(_e1613, _e1614, _e1615);
-                                                                        let _e1617 = (_e1448[2][0] - _e1448[1][0]);
-                                                                        let _e1618 = (_e1448[2][1] - _e1448[1][1]);
-                                                                        let _e1619 = (_e1448[2][2] - _e1448[1][2]);
-                                                                        let _e1620 = vec3<f32>(_e1617, _e1618, _e1619);
-                                                                        let _e1621 = (_e1448[0][0] - _e1448[2][0]);
-                                                                        let _e1622 = (_e1448[0][1] - _e1448[2][1]);
-                                                                        let _e1623 = (_e1448[0][2] - _e1448[2][2]);
-                                                                        let _e1624 = vec3<f32>(_e1621, _e1622, _e1623);
-                                                                        let _e1627 = bitcast<f32>((bitcast<u32>(_e1613) & 2147483647u));
-                                                                        let _e1630 = bitcast<f32>((bitcast<u32>(_e1614) & 2147483647u));
-                                                                        let _e1632 = select(_e1630, _e1627, (_e1627 > _e1630));
-                                                                        let _e1635 = bitcast<f32>((bitcast<u32>(_e1615) & 2147483647u));
-                                                                        let _e1637 = select(_e1635, _e1632, (_e1632 > _e1635));
-                                                                        let _e1640 = bitcast<f32>((bitcast<u32>(_e1617) & 2147483647u));
-                                                                        let _e1643 = bitcast<f32>((bitcast<u32>(_e1618) & 2147483647u));
-                                                                        let _e1645 = select(_e1643, _e1640, (_e1640 > _e1643));
-                                                                        let _e1648 = bitcast<f32>((bitcast<u32>(_e1619) & 2147483647u));
-                                                                        let _e1650 = select(_e1648, _e1645, (_e1645 > _e1648));
-                                                                        let _e1653 = bitcast<f32>((bitcast<u32>(_e1621) & 2147483647u));
-                                                                        let _e1656 = bitcast<f32>((bitcast<u32>(_e1622) & 2147483647u));
-                                                                        let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
-                                                                        let _e1661 = bitcast<f32>((bitcast<u32>(_e1623) & 2147483647u));
-                                                                        let _e1663 = select(_e1661, _e1658, (_e1658 > _e1661));
-                                                                        let _e1665 = select(_e1650, _e1637, (_e1637 > _e1650));
-                                                                        let _e1667 = select(_e1663, _e1665, (_e1665 > _e1663));
-                                                                        if (_e1637 == _e1667) {
-                                                                            phi_2305_ = _e1474;
-                                                                            phi_2306_ = _e1471;
-                                                                            phi_2307_ = _e1461;
-                                                                            phi_2308_ = _e1458;
-                                                                            phi_2309_ = _e1610;
-                                                                            phi_2310_ = _e1624;
-                                                                            phi_2311_ = _e1620;
-                                                                            phi_2312_ = _e1616;
-                                                                        } else {
-                                                                            let _e1669 = (_e1650 == _e1667);
-                                                                            let _e1674 = vec3(_e1669);
-                                                                            phi_2305_ = select(_e1461, _e1487, _e1669);
-                                                                            phi_2306_ = select(_e1458, _e1484, _e1669);
-                                                                            phi_2307_ = select(_e1487, _e1474, _e1669);
-                                                                            phi_2308_ = select(_e1484, _e1471, _e1669);
-                                                                            phi_2309_ = select(_e1612, _e1611, _e1674);
-                                                                            phi_2310_ = select(_e1620, _e1616, _e1674);
-                                                                            phi_2311_ = select(_e1616, _e1624, _e1674);
-                                                                            phi_2312_ = select(_e1624, _e1620, _e1674);
-                                                                        }
-                                                                        let _e1680 = phi_2305_;
-                                                                        let _e1682 = phi_2306_;
-                                                                        let _e1684 = phi_2307_;
-                                                                        let _e1686 = phi_2308_;
-                                                                        let _e1688 = phi_2309_;
-                                                                        let _e1690 = phi_2310_;
-                                                                        let _e1692 = phi_2311_;
-                                                                        let _e1694 = phi_2312_;
-                                                                        let _e1701 = ((_e1692.y * _e1690.z) - (_e1690.y * _e1692.z));
-                                                                        let _e1706 = ((_e1692.z * _e1690.x) - (_e1690.z * _e1692.x));
-                                                                        let _e1709 = ((_e1692.x * _e1690.y) - (_e1690.x * _e1692.y));
-                                                                        if (_e1509 >= _e1513) {
-                                                                            phi_2343_ = select(true, false, (_e1509 >= _e1517));
-                                                                        } else {
-                                                                            phi_2343_ = true;
-                                                                        }
-                                                                        let _e1714 = phi_2343_;
-                                                                        if _e1714 {
-                                                                            phi_2352_ = select(_e1612, _e1611, vec3((_e1513 >= _e1517)));
-                                                                        } else {
-                                                                            phi_2352_ = _e1610;
-                                                                        }
-                                                                        let _e1719 = phi_2352_;
-                                                                        let _e1730 = (((_e1701 * (_e1719.x - _e317)) + (_e1706 * (_e1719.y - _e356))) + (_e1709 * (_e1719.z - _e394)));
-                                                                        let _e1735 = (((_e1701 * _e342) + (_e1706 * _e380)) + (_e1709 * _e418));
-                                                                        let _e1736 = (_e1682 - _e1686);
-                                                                        let _e1737 = (_e1680 - _e1684);
-                                                                        let _e1745 = (-(((_e1686 * _e1736) + (_e1684 * _e1737))) / ((_e1736 * _e1736) + (_e1737 * _e1737)));
-                                                                        let _e1747 = select(1f, _e1745, (_e1745 < 1f));
-                                                                        let _e1749 = select(0f, _e1747, (_e1747 > 0f));
-                                                                        let _e1762 = ((_e1688.x + (_e1694.x * _e1749)) - _e317);
-                                                                        let _e1763 = ((_e1688.y + (_e1694.y * _e1749)) - _e356);
-                                                                        let _e1764 = ((_e1688.z + (_e1694.z * _e1749)) - _e394);
-                                                                        let _e1765 = (_e1764 / _e418);
-                                                                        let _e1777 = bitcast<f32>((bitcast<u32>(_e1762) & 2147483647u));
-                                                                        let _e1780 = bitcast<f32>((bitcast<u32>(_e1763) & 2147483647u));
-                                                                        let _e1782 = select(_e1780, _e1777, (_e1777 > _e1780));
-                                                                        let _e1785 = bitcast<f32>((bitcast<u32>(_e1764) & 2147483647u));
-                                                                        let _e1787 = select(_e1785, _e1782, (_e1782 > _e1785));
-                                                                        let _e1793 = bitcast<f32>((bitcast<u32>(_e1701) & 2147483647u));
-                                                                        let _e1796 = bitcast<f32>((bitcast<u32>(_e1706) & 2147483647u));
-                                                                        let _e1798 = select(_e1796, _e1793, (_e1793 > _e1796));
-                                                                        let _e1801 = bitcast<f32>((bitcast<u32>(_e1709) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1701 * _e1762) + (_e1706 * _e1763)) + (_e1709 * _e1764)) - _e1730)) & 2147483647u)) <= ((0.0000009536743f * select(_e1667, _e1787, (_e1787 > _e1667))) * select(_e1801, _e1798, (_e1798 > _e1801)))) {
-                                                                            let _e1811 = bitcast<f32>((bitcast<u32>(_e1692.x) & 2147483647u));
-                                                                            let _e1814 = bitcast<f32>((bitcast<u32>(_e1692.y) & 2147483647u));
-                                                                            let _e1816 = select(_e1814, _e1811, (_e1811 > _e1814));
-                                                                            let _e1819 = bitcast<f32>((bitcast<u32>(_e1692.z) & 2147483647u));
-                                                                            let _e1825 = bitcast<f32>((bitcast<u32>(_e1690.x) & 2147483647u));
-                                                                            let _e1828 = bitcast<f32>((bitcast<u32>(_e1690.y) & 2147483647u));
-                                                                            let _e1830 = select(_e1828, _e1825, (_e1825 > _e1828));
-                                                                            let _e1833 = bitcast<f32>((bitcast<u32>(_e1690.z) & 2147483647u));
-                                                                            let _e1837 = (bitcast<f32>((bitcast<u32>(_e1735) & 2147483647u)) > ((0.0000038146973f * select(_e1819, _e1816, (_e1816 > _e1819))) * select(_e1833, _e1830, (_e1830 > _e1833))));
-                                                                            if _e1837 {
-                                                                                phi_2517_ = (_e1730 / _e1735);
-                                                                            } else {
-                                                                                phi_2517_ = f32();
-                                                                            }
-                                                                            let _e1840 = phi_2517_;
-                                                                            phi_2519_ = _e1840;
-                                                                            phi_2520_ = select(true, false, _e1837);
-                                                                        } else {
-                                                                            phi_2519_ = f32();
-                                                                            phi_2520_ = true;
-                                                                        }
-                                                                        let _e1843 = phi_2519_;
-                                                                        let _e1845 = phi_2520_;
-                                                                        if _e1845 {
-                                                                            let _e1853 = (((_e1701 * (_e1762 - (_e342 * _e1765))) + (_e1706 * (_e1763 - (_e380 * _e1765)))) / _e1735);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1853) & 2147483647u)) <= _e1667) {
-                                                                                phi_2540_ = (_e1765 + _e1853);
-                                                                            } else {
-                                                                                phi_2540_ = _e1765;
-                                                                            }
-                                                                            let _e1860 = phi_2540_;
-                                                                            phi_2541_ = _e1860;
-                                                                        } else {
-                                                                            phi_2541_ = _e1843;
-                                                                        }
-                                                                        let _e1862 = phi_2541_;
-                                                                        let _e1864 = select(_e1600, _e1862, (_e1862 < _e1600));
-                                                                        let _e1866 = select(_e1592, _e1864, (_e1864 > _e1592));
-                                                                        if (_e1866 >= _e468) {
-                                                                            let _e1868 = (_e1866 <= _e1019);
-                                                                            if _e1868 {
-                                                                                let _e1869 = (1f / _e1519);
-                                                                                phi_2564_ = type_24(_e1866, (_e1513 * _e1869), (_e1517 * _e1869), _e1079);
-                                                                            } else {
-                                                                                phi_2564_ = type_24();
-                                                                            }
-                                                                            let _e1874 = phi_2564_;
-                                                                            phi_2566_ = _e1874;
-                                                                            phi_2567_ = select(true, false, _e1868);
-                                                                        } else {
-                                                                            phi_2566_ = type_24();
-                                                                            phi_2567_ = true;
-                                                                        }
-                                                                        let _e1877 = phi_2566_;
-                                                                        let _e1879 = phi_2567_;
-                                                                        if _e1879 {
-                                                                            phi_2571_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2571_ = _e1877;
-                                                                        }
-                                                                        let _e1881 = phi_2571_;
-                                                                        phi_2572_ = _e1881;
-                                                                    }
-                                                                    let _e1883 = phi_2572_;
-                                                                    phi_2573_ = _e1883;
-                                                                    phi_2574_ = _e1609;
-                                                                }
-                                                                let _e1885 = phi_2573_;
-                                                                let _e1887 = phi_2574_;
-                                                                phi_2578_ = _e1885;
-                                                                phi_2579_ = _e1887;
-                                                            }
-                                                            let _e1889 = phi_2578_;
-                                                            let _e1891 = phi_2579_;
-                                                            phi_2580_ = _e1889;
-                                                            phi_2581_ = _e1544;
-                                                            phi_2582_ = _e1891;
+                                                            phi_1502_ = 0u;
                                                         }
-                                                        let _e1893 = phi_2580_;
-                                                        let _e1895 = phi_2581_;
-                                                        let _e1897 = phi_2582_;
-                                                        phi_2583_ = _e1893;
-                                                        phi_2584_ = _e1895;
-                                                        phi_2585_ = _e1897;
-                                                    }
-                                                    let _e1899 = phi_2583_;
-                                                    let _e1901 = phi_2584_;
-                                                    let _e1903 = phi_2585_;
-                                                    phi_2593_ = _e1899;
-                                                    phi_2594_ = select(_e1903, true, _e1901);
-                                                } else {
-                                                    phi_2593_ = type_24();
-                                                    phi_2594_ = true;
-                                                }
-                                                let _e1906 = phi_2593_;
-                                                let _e1908 = phi_2594_;
-                                                if _e1908 {
-                                                    phi_2598_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_2598_ = _e1906;
-                                                }
-                                                let _e1910 = phi_2598_;
-                                                if (_e1910.member_3 != 4294967295u) {
-                                                    if (_e1079 != 4294967295u) {
-                                                        phi_2610_ = type_8(0u, 8u);
-                                                        phi_2613_ = _e1910;
-                                                        loop {
-                                                            let _e1915 = phi_2610_;
-                                                            let _e1917 = phi_2613_;
-                                                            if (_e1915.member < _e1915.member_1) {
-                                                                phi_2611_ = type_8((_e1915.member + 1u), _e1915.member_1);
-                                                                phi_2636_ = type_8(1u, _e1915.member);
+                                                        let _e1536 = phi_1502_;
+                                                        let _e1538 = ((10u * _e273) & 31u);
+                                                        let _e1548 = ((10u * _e272) & 31u);
+                                                        let _e1558 = ((10u * _e274) & 31u);
+                                                        let _e1568 = (_e1257 + 1u);
+                                                        let _e1569 = (_e1568 < _e105);
+                                                        if _e1569 {
+                                                            if _e1569 {
                                                             } else {
-                                                                phi_2611_ = _e1915;
-                                                                phi_2636_ = type_8(0u, type_8().member_1);
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
                                                             }
-                                                            let _e1930 = phi_2611_;
-                                                            let _e1932 = phi_2636_;
-                                                            let _e1936 = (bitcast<i32>(_e1932.member) != 0i);
-                                                            if _e1936 {
-                                                                let _e1937 = (_e1932.member_1 < 8u);
-                                                                if _e1937 {
+                                                            let _e1571 = global_5.member[_e1568];
+                                                            phi_1548_ = _e1571;
+                                                        } else {
+                                                            phi_1548_ = 0u;
+                                                        }
+                                                        let _e1573 = phi_1548_;
+                                                        let _e1599 = (_e1257 + 2u);
+                                                        let _e1600 = (_e1599 < _e105);
+                                                        if _e1600 {
+                                                            if _e1600 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1602 = global_5.member[_e1599];
+                                                            phi_1594_ = _e1602;
+                                                        } else {
+                                                            phi_1594_ = 0u;
+                                                        }
+                                                        let _e1604 = phi_1594_;
+                                                        phi_2077_ = array<array<f32, 3>, 3>(array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1536 >> bitcast<u32>(_e1538)) & 1023u))) - 8388608f) * _e153)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1536 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e153)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1536 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e153))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1573 >> bitcast<u32>(_e1538)) & 1023u))) - 8388608f) * _e153)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1573 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e153)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1573 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e153))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1604 >> bitcast<u32>(_e1538)) & 1023u))) - 8388608f) * _e153)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1604 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e153)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1604 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e153))));
+                                                        break;
+                                                    }
+                                                    case 1: {
+                                                        let _e1346 = (_e1257 < _e105);
+                                                        if _e1346 {
+                                                            if _e1346 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1348 = global_5.member[_e1257];
+                                                            phi_1640_ = _e1348;
+                                                        } else {
+                                                            phi_1640_ = 0u;
+                                                        }
+                                                        let _e1350 = phi_1640_;
+                                                        let _e1351 = (_e1257 + 1u);
+                                                        let _e1352 = (_e1351 < _e105);
+                                                        if _e1352 {
+                                                            if _e1352 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1354 = global_5.member[_e1351];
+                                                            phi_1655_ = _e1354;
+                                                        } else {
+                                                            phi_1655_ = 0u;
+                                                        }
+                                                        let _e1356 = phi_1655_;
+                                                        let _e1357 = (_e273 == 1u);
+                                                        if _e1357 {
+                                                            phi_1665_ = ((_e1350 >> bitcast<u32>(21i)) | (_e1356 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1665_ = (_e1356 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1366 = phi_1665_;
+                                                        let _e1374 = (_e272 == 1u);
+                                                        if _e1374 {
+                                                            phi_1686_ = ((_e1350 >> bitcast<u32>(21i)) | (_e1356 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1686_ = (_e1356 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1383 = phi_1686_;
+                                                        let _e1391 = (_e274 == 1u);
+                                                        if _e1391 {
+                                                            phi_1707_ = ((_e1350 >> bitcast<u32>(21i)) | (_e1356 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1707_ = (_e1356 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1400 = phi_1707_;
+                                                        let _e1409 = (_e1257 + 2u);
+                                                        let _e1410 = (_e1409 < _e105);
+                                                        if _e1410 {
+                                                            if _e1410 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1412 = global_5.member[_e1409];
+                                                            phi_1734_ = _e1412;
+                                                        } else {
+                                                            phi_1734_ = 0u;
+                                                        }
+                                                        let _e1414 = phi_1734_;
+                                                        let _e1415 = (_e1257 + 3u);
+                                                        let _e1416 = (_e1415 < _e105);
+                                                        if _e1416 {
+                                                            if _e1416 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1418 = global_5.member[_e1415];
+                                                            phi_1749_ = _e1418;
+                                                        } else {
+                                                            phi_1749_ = 0u;
+                                                        }
+                                                        let _e1420 = phi_1749_;
+                                                        if _e1357 {
+                                                            phi_1759_ = ((_e1414 >> bitcast<u32>(21i)) | (_e1420 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1759_ = (_e1420 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1429 = phi_1759_;
+                                                        if _e1374 {
+                                                            phi_1780_ = ((_e1414 >> bitcast<u32>(21i)) | (_e1420 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1780_ = (_e1420 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1445 = phi_1780_;
+                                                        if _e1391 {
+                                                            phi_1801_ = ((_e1414 >> bitcast<u32>(21i)) | (_e1420 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1801_ = (_e1420 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1461 = phi_1801_;
+                                                        let _e1470 = (_e1257 + 4u);
+                                                        let _e1471 = (_e1470 < _e105);
+                                                        if _e1471 {
+                                                            if _e1471 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1473 = global_5.member[_e1470];
+                                                            phi_1828_ = _e1473;
+                                                        } else {
+                                                            phi_1828_ = 0u;
+                                                        }
+                                                        let _e1475 = phi_1828_;
+                                                        let _e1476 = (_e1257 + 5u);
+                                                        let _e1477 = (_e1476 < _e105);
+                                                        if _e1477 {
+                                                            if _e1477 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1479 = global_5.member[_e1476];
+                                                            phi_1843_ = _e1479;
+                                                        } else {
+                                                            phi_1843_ = 0u;
+                                                        }
+                                                        let _e1481 = phi_1843_;
+                                                        if _e1357 {
+                                                            phi_1853_ = ((_e1475 >> bitcast<u32>(21i)) | (_e1481 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1853_ = (_e1481 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1490 = phi_1853_;
+                                                        if _e1374 {
+                                                            phi_1874_ = ((_e1475 >> bitcast<u32>(21i)) | (_e1481 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1874_ = (_e1481 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1506 = phi_1874_;
+                                                        if _e1391 {
+                                                            phi_1895_ = ((_e1475 >> bitcast<u32>(21i)) | (_e1481 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1895_ = (_e1481 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1522 = phi_1895_;
+                                                        phi_2077_ = array<array<f32, 3>, 3>(array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1366, _e1350, _e312) & 2097151u))) - 8388608f) * _e153)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1383, _e1350, _e381) & 2097151u))) - 8388608f) * _e153)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1400, _e1350, _e449) & 2097151u))) - 8388608f) * _e153))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1429, _e1414, _e312) & 2097151u))) - 8388608f) * _e153)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1445, _e1414, _e381) & 2097151u))) - 8388608f) * _e153)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1461, _e1414, _e449) & 2097151u))) - 8388608f) * _e153))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1490, _e1475, _e312) & 2097151u))) - 8388608f) * _e153)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1506, _e1475, _e381) & 2097151u))) - 8388608f) * _e153)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1522, _e1475, _e449) & 2097151u))) - 8388608f) * _e153))));
+                                                        break;
+                                                    }
+                                                    case 2: {
+                                                        let _e1259 = (_e1257 + _e273);
+                                                        let _e1260 = (_e1259 < _e105);
+                                                        if _e1260 {
+                                                            if _e1260 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1262 = global_5.member[_e1259];
+                                                            phi_1923_ = _e1262;
+                                                        } else {
+                                                            phi_1923_ = 0u;
+                                                        }
+                                                        let _e1264 = phi_1923_;
+                                                        let _e1268 = (_e1257 + _e272);
+                                                        let _e1269 = (_e1268 < _e105);
+                                                        if _e1269 {
+                                                            if _e1269 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1271 = global_5.member[_e1268];
+                                                            phi_1941_ = _e1271;
+                                                        } else {
+                                                            phi_1941_ = 0u;
+                                                        }
+                                                        let _e1273 = phi_1941_;
+                                                        let _e1277 = (_e1257 + _e274);
+                                                        let _e1278 = (_e1277 < _e105);
+                                                        if _e1278 {
+                                                            if _e1278 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1280 = global_5.member[_e1277];
+                                                            phi_1959_ = _e1280;
+                                                        } else {
+                                                            phi_1959_ = 0u;
+                                                        }
+                                                        let _e1282 = phi_1959_;
+                                                        let _e1287 = (_e1257 + 3u);
+                                                        let _e1288 = (_e1287 + _e273);
+                                                        let _e1289 = (_e1288 < _e105);
+                                                        if _e1289 {
+                                                            if _e1289 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1291 = global_5.member[_e1288];
+                                                            phi_1979_ = _e1291;
+                                                        } else {
+                                                            phi_1979_ = 0u;
+                                                        }
+                                                        let _e1293 = phi_1979_;
+                                                        let _e1297 = (_e1287 + _e272);
+                                                        let _e1298 = (_e1297 < _e105);
+                                                        if _e1298 {
+                                                            if _e1298 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1300 = global_5.member[_e1297];
+                                                            phi_1997_ = _e1300;
+                                                        } else {
+                                                            phi_1997_ = 0u;
+                                                        }
+                                                        let _e1302 = phi_1997_;
+                                                        let _e1306 = (_e1287 + _e274);
+                                                        let _e1307 = (_e1306 < _e105);
+                                                        if _e1307 {
+                                                            if _e1307 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1309 = global_5.member[_e1306];
+                                                            phi_2015_ = _e1309;
+                                                        } else {
+                                                            phi_2015_ = 0u;
+                                                        }
+                                                        let _e1311 = phi_2015_;
+                                                        let _e1316 = (_e1257 + 6u);
+                                                        let _e1317 = (_e1316 + _e273);
+                                                        let _e1318 = (_e1317 < _e105);
+                                                        if _e1318 {
+                                                            if _e1318 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1320 = global_5.member[_e1317];
+                                                            phi_2035_ = _e1320;
+                                                        } else {
+                                                            phi_2035_ = 0u;
+                                                        }
+                                                        let _e1322 = phi_2035_;
+                                                        let _e1326 = (_e1316 + _e272);
+                                                        let _e1327 = (_e1326 < _e105);
+                                                        if _e1327 {
+                                                            if _e1327 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1329 = global_5.member[_e1326];
+                                                            phi_2053_ = _e1329;
+                                                        } else {
+                                                            phi_2053_ = 0u;
+                                                        }
+                                                        let _e1331 = phi_2053_;
+                                                        let _e1335 = (_e1316 + _e274);
+                                                        let _e1336 = (_e1335 < _e105);
+                                                        if _e1336 {
+                                                            if _e1336 {
+                                                            } else {
+                                                                phi_5228_ = _e1185;
+                                                                phi_5070_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1338 = global_5.member[_e1335];
+                                                            phi_2071_ = _e1338;
+                                                        } else {
+                                                            phi_2071_ = 0u;
+                                                        }
+                                                        let _e1340 = phi_2071_;
+                                                        phi_2077_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1264)) * _e153), (f32(bitcast<i32>(_e1273)) * _e153), (f32(bitcast<i32>(_e1282)) * _e153)), array<f32, 3>((f32(bitcast<i32>(_e1293)) * _e153), (f32(bitcast<i32>(_e1302)) * _e153), (f32(bitcast<i32>(_e1311)) * _e153)), array<f32, 3>((f32(bitcast<i32>(_e1322)) * _e153), (f32(bitcast<i32>(_e1331)) * _e153), (f32(bitcast<i32>(_e1340)) * _e153)));
+                                                        break;
+                                                    }
+                                                    default: {
+                                                        phi_2077_ = array<array<f32, 3>, 3>();
+                                                        break;
+                                                    }
+                                                }
+                                                let _e1632 = phi_2077_;
+                                                let _e1639 = (_e1632[0][2] - _e474);
+                                                let _e1642 = (((_e1632[0][0] - _e337) * _e513) - (_e1639 * _e377));
+                                                let _e1645 = (((_e1632[0][1] - _e406) * _e513) - (_e1639 * _e445));
+                                                let _e1652 = (_e1632[1][2] - _e474);
+                                                let _e1655 = (((_e1632[1][0] - _e337) * _e513) - (_e1652 * _e377));
+                                                let _e1658 = (((_e1632[1][1] - _e406) * _e513) - (_e1652 * _e445));
+                                                let _e1665 = (_e1632[2][2] - _e474);
+                                                let _e1668 = (((_e1632[2][0] - _e337) * _e513) - (_e1665 * _e377));
+                                                let _e1671 = (((_e1632[2][1] - _e406) * _e513) - (_e1665 * _e445));
+                                                let _e1672 = (_e1668 * _e1658);
+                                                let _e1673 = (_e1671 * _e1655);
+                                                let _e1674 = (_e1642 * _e1671);
+                                                let _e1675 = (_e1645 * _e1668);
+                                                let _e1676 = (_e1655 * _e1645);
+                                                let _e1677 = (_e1658 * _e1642);
+                                                let _e1682 = (((_e1672 >= _e1673) && (_e1674 >= _e1675)) && (_e1676 >= _e1677));
+                                                if (_e1682 || (((_e1672 <= _e1673) && (_e1674 <= _e1675)) && (_e1676 <= _e1677))) {
+                                                    let _e1689 = select(-1f, 1f, _e1682);
+                                                    let _e1691 = ((_e1672 - _e1673) * _e1689);
+                                                    let _e1693 = select(0f, _e1691, (_e1691 > 0f));
+                                                    let _e1695 = ((_e1674 - _e1675) * _e1689);
+                                                    let _e1697 = select(0f, _e1695, (_e1695 > 0f));
+                                                    let _e1699 = ((_e1676 - _e1677) * _e1689);
+                                                    let _e1701 = select(0f, _e1699, (_e1699 > 0f));
+                                                    let _e1703 = ((_e1693 + _e1697) + _e1701);
+                                                    if (_e1703 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2903_ = type_24();
+                                                        phi_2904_ = true;
+                                                        phi_2905_ = false;
+                                                    } else {
+                                                        let _e1706 = select(_e1655, _e1642, (_e1642 < _e1655));
+                                                        if (select(_e1668, _e1706, (_e1706 < _e1668)) > 0f) {
+                                                            phi_2195_ = true;
+                                                        } else {
+                                                            let _e1711 = select(_e1655, _e1642, (_e1642 > _e1655));
+                                                            phi_2195_ = (select(_e1668, _e1711, (_e1711 > _e1668)) < 0f);
+                                                        }
+                                                        let _e1716 = phi_2195_;
+                                                        if _e1716 {
+                                                            phi_2900_ = type_24();
+                                                            phi_2901_ = true;
+                                                            phi_2902_ = false;
+                                                        } else {
+                                                            let _e1718 = select(_e1658, _e1645, (_e1645 < _e1658));
+                                                            if (select(_e1671, _e1718, (_e1718 < _e1671)) > 0f) {
+                                                                phi_2224_ = true;
+                                                            } else {
+                                                                let _e1723 = select(_e1658, _e1645, (_e1645 > _e1658));
+                                                                phi_2224_ = (select(_e1671, _e1723, (_e1723 > _e1671)) < 0f);
+                                                            }
+                                                            let _e1728 = phi_2224_;
+                                                            if _e1728 {
+                                                                phi_2898_ = type_24();
+                                                                phi_2899_ = false;
+                                                            } else {
+                                                                let _e1730 = select(_e1632[1][0], _e1632[0][0], (_e1632[0][0] < _e1632[1][0]));
+                                                                let _e1734 = select(_e1632[1][0], _e1632[0][0], (_e1632[0][0] > _e1632[1][0]));
+                                                                let _e1738 = select(_e1632[1][1], _e1632[0][1], (_e1632[0][1] < _e1632[1][1]));
+                                                                let _e1742 = select(_e1632[1][1], _e1632[0][1], (_e1632[0][1] > _e1632[1][1]));
+                                                                let _e1746 = select(_e1632[1][2], _e1632[0][2], (_e1632[0][2] < _e1632[1][2]));
+                                                                let _e1750 = select(_e1632[1][2], _e1632[0][2], (_e1632[0][2] > _e1632[1][2]));
+                                                                let _e1755 = ((select(_e1632[2][0], _e1730, (_e1730 < _e1632[2][0])) - _e375) * _e380);
+                                                                let _e1756 = ((select(_e1632[2][0], _e1734, (_e1734 > _e1632[2][0])) - _e376) * _e380);
+                                                                let _e1759 = ((select(_e1632[2][1], _e1738, (_e1738 < _e1632[2][1])) - _e443) * _e448);
+                                                                let _e1760 = ((select(_e1632[2][1], _e1742, (_e1742 > _e1632[2][1])) - _e444) * _e448);
+                                                                let _e1763 = ((select(_e1632[2][2], _e1746, (_e1746 < _e1632[2][2])) - _e511) * _e516);
+                                                                let _e1764 = ((select(_e1632[2][2], _e1750, (_e1750 > _e1632[2][2])) - _e512) * _e516);
+                                                                let _e1766 = select(_e1764, _e1763, (_e1763 < _e1764));
+                                                                let _e1768 = select(_e1764, _e1763, (_e1763 > _e1764));
+                                                                let _e1770 = select(_e1756, _e1755, (_e1755 < _e1756));
+                                                                let _e1772 = select(_e1760, _e1759, (_e1759 < _e1760));
+                                                                let _e1774 = select(_e1772, _e1770, (_e1770 > _e1772));
+                                                                let _e1776 = select(_e1766, _e1774, (_e1774 > _e1766));
+                                                                let _e1778 = select(_e1756, _e1755, (_e1755 > _e1756));
+                                                                let _e1780 = select(_e1760, _e1759, (_e1759 > _e1760));
+                                                                let _e1782 = select(_e1780, _e1778, (_e1778 < _e1780));
+                                                                let _e1784 = select(_e1768, _e1782, (_e1782 < _e1768));
+                                                                let _e1785 = -(_e1766);
+                                                                let _e1791 = select(_e628, _e1776, (_e1776 > _e628));
+                                                                if (_e1791 > (_e1784 + (select(_e1785, _e1768, (_e1768 > _e1785)) * 0.0000019073523f))) {
+                                                                    phi_2893_ = type_24();
+                                                                    phi_2894_ = true;
                                                                 } else {
-                                                                    phi_4437_ = true;
+                                                                    let _e1793 = (_e1791 > _e1185);
+                                                                    if _e1793 {
+                                                                        phi_2892_ = type_24();
+                                                                    } else {
+                                                                        let _e1794 = vec3<f32>(_e1632[0][0], _e1632[0][1], _e1632[0][2]);
+                                                                        let _e1795 = vec3<f32>(_e1632[1][0], _e1632[1][1], _e1632[1][2]);
+                                                                        let _e1796 = vec3<f32>(_e1632[2][0], _e1632[2][1], _e1632[2][2]);
+                                                                        let _e1797 = (_e1632[1][0] - _e1632[0][0]);
+                                                                        let _e1798 = (_e1632[1][1] - _e1632[0][1]);
+                                                                        let _e1799 = (_e1632[1][2] - _e1632[0][2]);
+                                                                        let _e1800 = vec3<f32>(_e1797, _e1798, _e1799);
+                                                                        let _e1801 = (_e1632[2][0] - _e1632[1][0]);
+                                                                        let _e1802 = (_e1632[2][1] - _e1632[1][1]);
+                                                                        let _e1803 = (_e1632[2][2] - _e1632[1][2]);
+                                                                        let _e1804 = vec3<f32>(_e1801, _e1802, _e1803);
+                                                                        let _e1805 = (_e1632[0][0] - _e1632[2][0]);
+                                                                        let _e1806 = (_e1632[0][1] - _e1632[2][1]);
+                                                                        let _e1807 = (_e1632[0][2] - _e1632[2][2]);
+                                                                        let _e1808 = vec3<f32>(_e1805, _e1806, _e1807);
+                                                                        let _e1811 = bitcast<f32>((bitcast<u32>(_e1797) & 2147483647u));
+                                                                        let _e1814 = bitcast<f32>((bitcast<u32>(_e1798) & 2147483647u));
+                                                                        let _e1816 = select(_e1814, _e1811, (_e1811 > _e1814));
+                                                                        let _e1819 = bitcast<f32>((bitcast<u32>(_e1799) & 2147483647u));
+                                                                        let _e1821 = select(_e1819, _e1816, (_e1816 > _e1819));
+                                                                        let _e1824 = bitcast<f32>((bitcast<u32>(_e1801) & 2147483647u));
+                                                                        let _e1827 = bitcast<f32>((bitcast<u32>(_e1802) & 2147483647u));
+                                                                        let _e1829 = select(_e1827, _e1824, (_e1824 > _e1827));
+                                                                        let _e1832 = bitcast<f32>((bitcast<u32>(_e1803) & 2147483647u));
+                                                                        let _e1834 = select(_e1832, _e1829, (_e1829 > _e1832));
+                                                                        let _e1837 = bitcast<f32>((bitcast<u32>(_e1805) & 2147483647u));
+                                                                        let _e1840 = bitcast<f32>((bitcast<u32>(_e1806) & 2147483647u));
+                                                                        let _e1842 = select(_e1840, _e1837, (_e1837 > _e1840));
+                                                                        let _e1845 = bitcast<f32>((bitcast<u32>(_e1807) & 2147483647u));
+                                                                        let _e1847 = select(_e1845, _e1842, (_e1842 > _e1845));
+                                                                        let _e1849 = select(_e1834, _e1821, (_e1821 > _e1834));
+                                                                        let _e1851 = select(_e1847, _e1849, (_e1849 > _e1847));
+                                                                        if (_e1821 == _e1851) {
+                                                                            phi_2625_ = _e1658;
+                                                                            phi_2626_ = _e1655;
+                                                                            phi_2627_ = _e1645;
+                                                                            phi_2628_ = _e1642;
+                                                                            phi_2629_ = _e1794;
+                                                                            phi_2630_ = _e1808;
+                                                                            phi_2631_ = _e1804;
+                                                                            phi_2632_ = _e1800;
+                                                                        } else {
+                                                                            let _e1853 = (_e1834 == _e1851);
+                                                                            let _e1858 = vec3(_e1853);
+                                                                            phi_2625_ = select(_e1645, _e1671, _e1853);
+                                                                            phi_2626_ = select(_e1642, _e1668, _e1853);
+                                                                            phi_2627_ = select(_e1671, _e1658, _e1853);
+                                                                            phi_2628_ = select(_e1668, _e1655, _e1853);
+                                                                            phi_2629_ = select(_e1796, _e1795, _e1858);
+                                                                            phi_2630_ = select(_e1804, _e1800, _e1858);
+                                                                            phi_2631_ = select(_e1800, _e1808, _e1858);
+                                                                            phi_2632_ = select(_e1808, _e1804, _e1858);
+                                                                        }
+                                                                        let _e1864 = phi_2625_;
+                                                                        let _e1866 = phi_2626_;
+                                                                        let _e1868 = phi_2627_;
+                                                                        let _e1870 = phi_2628_;
+                                                                        let _e1872 = phi_2629_;
+                                                                        let _e1874 = phi_2630_;
+                                                                        let _e1876 = phi_2631_;
+                                                                        let _e1878 = phi_2632_;
+                                                                        let _e1885 = ((_e1876.y * _e1874.z) - (_e1874.y * _e1876.z));
+                                                                        let _e1890 = ((_e1876.z * _e1874.x) - (_e1874.z * _e1876.x));
+                                                                        let _e1893 = ((_e1876.x * _e1874.y) - (_e1874.x * _e1876.y));
+                                                                        if (_e1693 >= _e1697) {
+                                                                            phi_2663_ = select(true, false, (_e1693 >= _e1701));
+                                                                        } else {
+                                                                            phi_2663_ = true;
+                                                                        }
+                                                                        let _e1898 = phi_2663_;
+                                                                        if _e1898 {
+                                                                            phi_2672_ = select(_e1796, _e1795, vec3((_e1697 >= _e1701)));
+                                                                        } else {
+                                                                            phi_2672_ = _e1794;
+                                                                        }
+                                                                        let _e1903 = phi_2672_;
+                                                                        let _e1914 = (((_e1885 * (_e1903.x - _e337)) + (_e1890 * (_e1903.y - _e406))) + (_e1893 * (_e1903.z - _e474)));
+                                                                        let _e1919 = (((_e1885 * _e377) + (_e1890 * _e445)) + (_e1893 * _e513));
+                                                                        let _e1920 = (_e1866 - _e1870);
+                                                                        let _e1921 = (_e1864 - _e1868);
+                                                                        let _e1929 = (-(((_e1870 * _e1920) + (_e1868 * _e1921))) / ((_e1920 * _e1920) + (_e1921 * _e1921)));
+                                                                        let _e1931 = select(1f, _e1929, (_e1929 < 1f));
+                                                                        let _e1933 = select(0f, _e1931, (_e1931 > 0f));
+                                                                        let _e1946 = ((_e1872.x + (_e1878.x * _e1933)) - _e337);
+                                                                        let _e1947 = ((_e1872.y + (_e1878.y * _e1933)) - _e406);
+                                                                        let _e1948 = ((_e1872.z + (_e1878.z * _e1933)) - _e474);
+                                                                        let _e1949 = (_e1948 / _e513);
+                                                                        let _e1961 = bitcast<f32>((bitcast<u32>(_e1946) & 2147483647u));
+                                                                        let _e1964 = bitcast<f32>((bitcast<u32>(_e1947) & 2147483647u));
+                                                                        let _e1966 = select(_e1964, _e1961, (_e1961 > _e1964));
+                                                                        let _e1969 = bitcast<f32>((bitcast<u32>(_e1948) & 2147483647u));
+                                                                        let _e1971 = select(_e1969, _e1966, (_e1966 > _e1969));
+                                                                        let _e1977 = bitcast<f32>((bitcast<u32>(_e1885) & 2147483647u));
+                                                                        let _e1980 = bitcast<f32>((bitcast<u32>(_e1890) & 2147483647u));
+                                                                        let _e1982 = select(_e1980, _e1977, (_e1977 > _e1980));
+                                                                        let _e1985 = bitcast<f32>((bitcast<u32>(_e1893) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1885 * _e1946) + (_e1890 * _e1947)) + (_e1893 * _e1948)) - _e1914)) & 2147483647u)) <= ((0.0000009536743f * select(_e1851, _e1971, (_e1971 > _e1851))) * select(_e1985, _e1982, (_e1982 > _e1985)))) {
+                                                                            let _e1995 = bitcast<f32>((bitcast<u32>(_e1876.x) & 2147483647u));
+                                                                            let _e1998 = bitcast<f32>((bitcast<u32>(_e1876.y) & 2147483647u));
+                                                                            let _e2000 = select(_e1998, _e1995, (_e1995 > _e1998));
+                                                                            let _e2003 = bitcast<f32>((bitcast<u32>(_e1876.z) & 2147483647u));
+                                                                            let _e2009 = bitcast<f32>((bitcast<u32>(_e1874.x) & 2147483647u));
+                                                                            let _e2012 = bitcast<f32>((bitcast<u32>(_e1874.y) & 2147483647u));
+                                                                            let _e2014 = select(_e2012, _e2009, (_e2009 > _e2012));
+                                                                            let _e2017 = bitcast<f32>((bitcast<u32>(_e1874.z) & 2147483647u));
+                                                                            let _e2021 = (bitcast<f32>((bitcast<u32>(_e1919) & 2147483647u)) > ((0.0000038146973f * select(_e2003, _e2000, (_e2000 > _e2003))) * select(_e2017, _e2014, (_e2014 > _e2017))));
+                                                                            if _e2021 {
+                                                                                phi_2837_ = (_e1914 / _e1919);
+                                                                            } else {
+                                                                                phi_2837_ = f32();
+                                                                            }
+                                                                            let _e2024 = phi_2837_;
+                                                                            phi_2839_ = _e2024;
+                                                                            phi_2840_ = select(true, false, _e2021);
+                                                                        } else {
+                                                                            phi_2839_ = f32();
+                                                                            phi_2840_ = true;
+                                                                        }
+                                                                        let _e2027 = phi_2839_;
+                                                                        let _e2029 = phi_2840_;
+                                                                        if _e2029 {
+                                                                            let _e2037 = (((_e1885 * (_e1946 - (_e377 * _e1949))) + (_e1890 * (_e1947 - (_e445 * _e1949)))) / _e1919);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e2037) & 2147483647u)) <= _e1851) {
+                                                                                phi_2860_ = (_e1949 + _e2037);
+                                                                            } else {
+                                                                                phi_2860_ = _e1949;
+                                                                            }
+                                                                            let _e2044 = phi_2860_;
+                                                                            phi_2861_ = _e2044;
+                                                                        } else {
+                                                                            phi_2861_ = _e2027;
+                                                                        }
+                                                                        let _e2046 = phi_2861_;
+                                                                        let _e2048 = select(_e1784, _e2046, (_e2046 < _e1784));
+                                                                        let _e2050 = select(_e1776, _e2048, (_e2048 > _e1776));
+                                                                        if (_e2050 >= _e628) {
+                                                                            let _e2052 = (_e2050 <= _e1185);
+                                                                            if _e2052 {
+                                                                                let _e2053 = (1f / _e1703);
+                                                                                phi_2884_ = type_24(_e2050, (_e1697 * _e2053), (_e1701 * _e2053), _e1245);
+                                                                            } else {
+                                                                                phi_2884_ = type_24();
+                                                                            }
+                                                                            let _e2058 = phi_2884_;
+                                                                            phi_2886_ = _e2058;
+                                                                            phi_2887_ = select(true, false, _e2052);
+                                                                        } else {
+                                                                            phi_2886_ = type_24();
+                                                                            phi_2887_ = true;
+                                                                        }
+                                                                        let _e2061 = phi_2886_;
+                                                                        let _e2063 = phi_2887_;
+                                                                        if _e2063 {
+                                                                            phi_2891_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2891_ = _e2061;
+                                                                        }
+                                                                        let _e2065 = phi_2891_;
+                                                                        phi_2892_ = _e2065;
+                                                                    }
+                                                                    let _e2067 = phi_2892_;
+                                                                    phi_2893_ = _e2067;
+                                                                    phi_2894_ = _e1793;
+                                                                }
+                                                                let _e2069 = phi_2893_;
+                                                                let _e2071 = phi_2894_;
+                                                                phi_2898_ = _e2069;
+                                                                phi_2899_ = _e2071;
+                                                            }
+                                                            let _e2073 = phi_2898_;
+                                                            let _e2075 = phi_2899_;
+                                                            phi_2900_ = _e2073;
+                                                            phi_2901_ = _e1728;
+                                                            phi_2902_ = _e2075;
+                                                        }
+                                                        let _e2077 = phi_2900_;
+                                                        let _e2079 = phi_2901_;
+                                                        let _e2081 = phi_2902_;
+                                                        phi_2903_ = _e2077;
+                                                        phi_2904_ = _e2079;
+                                                        phi_2905_ = _e2081;
+                                                    }
+                                                    let _e2083 = phi_2903_;
+                                                    let _e2085 = phi_2904_;
+                                                    let _e2087 = phi_2905_;
+                                                    phi_2913_ = _e2083;
+                                                    phi_2914_ = select(_e2087, true, _e2085);
+                                                } else {
+                                                    phi_2913_ = type_24();
+                                                    phi_2914_ = true;
+                                                }
+                                                let _e2090 = phi_2913_;
+                                                let _e2092 = phi_2914_;
+                                                if _e2092 {
+                                                    phi_2918_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                } else {
+                                                    phi_2918_ = _e2090;
+                                                }
+                                                let _e2094 = phi_2918_;
+                                                if (_e2094.member_3 != 4294967295u) {
+                                                    if (_e1245 != 4294967295u) {
+                                                        phi_2930_ = type_8(0u, 8u);
+                                                        phi_2933_ = _e2094;
+                                                        loop {
+                                                            let _e2099 = phi_2930_;
+                                                            let _e2101 = phi_2933_;
+                                                            if (_e2099.member < _e2099.member_1) {
+                                                                phi_2931_ = type_8((_e2099.member + 1u), _e2099.member_1);
+                                                                phi_2956_ = type_8(1u, _e2099.member);
+                                                            } else {
+                                                                phi_2931_ = _e2099;
+                                                                phi_2956_ = type_8(0u, type_8().member_1);
+                                                            }
+                                                            let _e2114 = phi_2931_;
+                                                            let _e2116 = phi_2956_;
+                                                            let _e2120 = (bitcast<i32>(_e2116.member) != 0i);
+                                                            if _e2120 {
+                                                                let _e2121 = (_e2116.member_1 < 8u);
+                                                                if _e2121 {
+                                                                } else {
+                                                                    phi_4863_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1942 = local_9[_e1932.member_1].member;
-                                                                if (_e1917.member < _e1942) {
-                                                                    phi_2669_ = true;
+                                                                let _e2126 = local_9[_e2116.member_1].member;
+                                                                if (_e2101.member < _e2126) {
+                                                                    phi_2989_ = true;
                                                                 } else {
-                                                                    let _e1944 = local_9[_e1932.member_1].member;
-                                                                    if (_e1917.member == _e1944) {
-                                                                        let _e1949 = local_9[_e1932.member_1].member_3;
-                                                                        phi_2668_ = (_e1917.member_3 < _e1949);
+                                                                    let _e2128 = local_9[_e2116.member_1].member;
+                                                                    if (_e2101.member == _e2128) {
+                                                                        let _e2133 = local_9[_e2116.member_1].member_3;
+                                                                        phi_2988_ = (_e2101.member_3 < _e2133);
                                                                     } else {
-                                                                        phi_2668_ = false;
+                                                                        phi_2988_ = false;
                                                                     }
-                                                                    let _e1952 = phi_2668_;
-                                                                    phi_2669_ = _e1952;
+                                                                    let _e2136 = phi_2988_;
+                                                                    phi_2989_ = _e2136;
                                                                 }
-                                                                let _e1954 = phi_2669_;
-                                                                if _e1954 {
-                                                                    if _e1937 {
+                                                                let _e2138 = phi_2989_;
+                                                                if _e2138 {
+                                                                    if _e2121 {
                                                                     } else {
-                                                                        phi_4437_ = true;
+                                                                        phi_4863_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1955 = local_9[_e1932.member_1];
-                                                                    local_9[_e1932.member_1] = type_24(_e1917.member, _e1917.member_1, _e1917.member_2, _e1917.member_3);
-                                                                    phi_2690_ = type_24(_e1955.member, _e1955.member_1, _e1955.member_2, _e1955.member_3);
+                                                                    let _e2139 = local_9[_e2116.member_1];
+                                                                    local_9[_e2116.member_1] = type_24(_e2101.member, _e2101.member_1, _e2101.member_2, _e2101.member_3);
+                                                                    phi_3010_ = type_24(_e2139.member, _e2139.member_1, _e2139.member_2, _e2139.member_3);
                                                                 } else {
-                                                                    phi_2690_ = _e1917;
+                                                                    phi_3010_ = _e2101;
                                                                 }
-                                                                let _e1966 = phi_2690_;
-                                                                phi_2614_ = _e1966;
+                                                                let _e2150 = phi_3010_;
+                                                                phi_2934_ = _e2150;
                                                             } else {
-                                                                phi_2614_ = type_24();
+                                                                phi_2934_ = type_24();
                                                             }
-                                                            let _e1968 = phi_2614_;
+                                                            let _e2152 = phi_2934_;
                                                             continue;
                                                             continuing {
-                                                                phi_2610_ = _e1930;
-                                                                phi_2613_ = _e1968;
-                                                                phi_4437_ = _e1017;
-                                                                break if !(_e1936);
+                                                                phi_2930_ = _e2114;
+                                                                phi_2933_ = _e2152;
+                                                                phi_4863_ = _e1183;
+                                                                break if !(_e2120);
                                                             }
                                                         }
-                                                        let _e1971 = phi_4437_;
-                                                        phi_4773_ = _e1019;
-                                                        phi_4626_ = _e1971;
-                                                        if _e1971 {
+                                                        let _e2155 = phi_4863_;
+                                                        phi_5228_ = _e1185;
+                                                        phi_5070_ = _e2155;
+                                                        if _e2155 {
                                                             break;
                                                         }
-                                                        let _e1974 = local_9[7u].member_3;
-                                                        if (_e1974 != 4294967295u) {
-                                                            let _e1978 = local_9[7u].member;
-                                                            phi_4864_ = _e1978;
+                                                        let _e2158 = local_9[7u].member_3;
+                                                        if (_e2158 != 4294967295u) {
+                                                            let _e2162 = local_9[7u].member;
+                                                            phi_5319_ = _e2162;
                                                         } else {
-                                                            phi_4864_ = _e1019;
+                                                            phi_5319_ = _e1185;
                                                         }
-                                                        let _e1980 = phi_4864_;
-                                                        phi_4863_ = _e1980;
-                                                        phi_4629_ = _e1971;
+                                                        let _e2164 = phi_5319_;
+                                                        phi_5318_ = _e2164;
+                                                        phi_5073_ = _e2155;
                                                     } else {
-                                                        phi_4863_ = _e1019;
-                                                        phi_4629_ = _e1017;
+                                                        phi_5318_ = _e1185;
+                                                        phi_5073_ = _e1183;
                                                     }
-                                                    let _e1982 = phi_4863_;
-                                                    let _e1984 = phi_4629_;
-                                                    phi_4862_ = _e1982;
-                                                    phi_4628_ = _e1984;
+                                                    let _e2166 = phi_5318_;
+                                                    let _e2168 = phi_5073_;
+                                                    phi_5317_ = _e2166;
+                                                    phi_5072_ = _e2168;
                                                 } else {
-                                                    phi_4862_ = _e1019;
-                                                    phi_4628_ = _e1017;
+                                                    phi_5317_ = _e1185;
+                                                    phi_5072_ = _e1183;
                                                 }
-                                                let _e1986 = phi_4862_;
-                                                let _e1988 = phi_4628_;
-                                                phi_4861_ = _e1986;
-                                                phi_4627_ = _e1988;
+                                                let _e2170 = phi_5317_;
+                                                let _e2172 = phi_5072_;
+                                                phi_5316_ = _e2170;
+                                                phi_5071_ = _e2172;
                                             } else {
-                                                phi_4861_ = _e1019;
-                                                phi_4627_ = _e1017;
+                                                phi_5316_ = _e1185;
+                                                phi_5071_ = _e1183;
                                             }
-                                            let _e1990 = phi_4861_;
-                                            let _e1992 = phi_4627_;
+                                            let _e2174 = phi_5316_;
+                                            let _e2176 = phi_5071_;
                                             continue;
                                             continuing {
-                                                phi_4466_ = _e1992;
-                                                phi_4409_ = _e1990;
-                                                phi_1040_ = _e1034;
-                                                phi_4773_ = _e1990;
-                                                phi_4626_ = _e1992;
-                                                break if !(_e1040);
+                                                phi_4892_ = _e2176;
+                                                phi_4835_ = _e2174;
+                                                phi_1342_ = _e1200;
+                                                phi_5228_ = _e2174;
+                                                phi_5070_ = _e2176;
+                                                break if !(_e1206);
                                             }
                                         }
-                                        let _e1995 = phi_4773_;
-                                        let _e1997 = phi_4626_;
-                                        phi_4631_ = _e1997;
-                                        if _e1997 {
+                                        let _e2179 = phi_5228_;
+                                        let _e2181 = phi_5070_;
+                                        phi_5075_ = _e2181;
+                                        if _e2181 {
                                             break;
                                         }
-                                        phi_4738_ = _e1995;
-                                        phi_4635_ = _e1997;
-                                        phi_3942_ = _e549;
-                                        phi_3943_ = false;
-                                        phi_3944_ = _e553;
+                                        phi_5193_ = _e2179;
+                                        phi_5079_ = _e2181;
+                                        phi_4262_ = _e709;
+                                        phi_4263_ = false;
+                                        phi_4264_ = _e713;
                                     } else {
-                                        if (_e549.member_1 >= _e97) {
-                                            phi_3497_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e709.member_1 >= _e102) {
+                                            phi_3817_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e549.member_1 < _e97) {
+                                            if (_e709.member_1 < _e102) {
                                             } else {
-                                                phi_4631_ = true;
+                                                phi_5075_ = true;
                                                 break;
                                             }
-                                            let _e566 = ((1u + _e268) % 4u);
-                                            if (_e566 < 4u) {
+                                            let _e726 = ((1u + _e273) % 4u);
+                                            if (_e726 < 4u) {
                                             } else {
-                                                phi_4631_ = true;
+                                                phi_5075_ = true;
                                                 break;
                                             }
-                                            let _e571 = global_3.member[_e549.member_1][_e566];
-                                            let _e573 = (_e571 >> bitcast<u32>(11u));
-                                            let _e575 = ((1u + _e267) % 4u);
-                                            if (_e575 < 4u) {
+                                            let _e731 = global_3.member[_e709.member_1][_e726];
+                                            let _e733 = (_e731 >> bitcast<u32>(11u));
+                                            let _e735 = ((1u + _e272) % 4u);
+                                            if (_e735 < 4u) {
                                             } else {
-                                                phi_4631_ = true;
+                                                phi_5075_ = true;
                                                 break;
                                             }
-                                            let _e580 = global_3.member[_e549.member_1][_e575];
-                                            let _e582 = (_e580 >> bitcast<u32>(11u));
-                                            let _e584 = ((1u + _e269) % 4u);
-                                            if (_e584 < 4u) {
+                                            let _e740 = global_3.member[_e709.member_1][_e735];
+                                            let _e742 = (_e740 >> bitcast<u32>(11u));
+                                            let _e744 = ((1u + _e274) % 4u);
+                                            if (_e744 < 4u) {
                                             } else {
-                                                phi_4631_ = true;
+                                                phi_5075_ = true;
                                                 break;
                                             }
-                                            let _e589 = global_3.member[_e549.member_1][_e584];
-                                            let _e591 = (_e589 >> bitcast<u32>(11u));
-                                            let _e614 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.x - _e549.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e615 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.y - _e549.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e616 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.z - _e549.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e618 = select(_e148, _e614, (_e614 > _e148));
-                                            let _e620 = select(_e148, _e615, (_e615 > _e148));
-                                            let _e622 = select(_e148, _e616, (_e616 > _e148));
-                                            let _e647 = bitcast<u32>((f32(bitcast<i32>((_e571 & 1023u))) * _e618));
-                                            let _e652 = (bitcast<i32>((_e571 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e655 = bitcast<f32>((_e647 & bitcast<u32>(_e652)));
-                                            let _e656 = bitcast<u32>((f32(bitcast<i32>((_e580 & 1023u))) * _e620));
-                                            let _e661 = (bitcast<i32>((_e580 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e664 = bitcast<f32>((_e656 & bitcast<u32>(_e661)));
-                                            let _e665 = bitcast<u32>((f32(bitcast<i32>((_e589 & 1023u))) * _e622));
-                                            let _e670 = (bitcast<i32>((_e589 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e673 = bitcast<f32>((_e665 & bitcast<u32>(_e670)));
-                                            let _e677 = bitcast<f32>((_e647 & bitcast<u32>(~(_e652))));
-                                            let _e681 = bitcast<f32>((_e656 & bitcast<u32>(~(_e661))));
-                                            let _e685 = bitcast<f32>((_e665 & bitcast<u32>(~(_e670))));
-                                            let _e686 = bitcast<u32>((f32(bitcast<i32>((_e573 & 1023u))) * _e618));
-                                            let _e691 = (bitcast<i32>((_e573 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e694 = bitcast<f32>((_e686 & bitcast<u32>(_e691)));
-                                            let _e695 = bitcast<u32>((f32(bitcast<i32>((_e582 & 1023u))) * _e620));
-                                            let _e700 = (bitcast<i32>((_e582 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e703 = bitcast<f32>((_e695 & bitcast<u32>(_e700)));
-                                            let _e704 = bitcast<u32>((f32(bitcast<i32>((_e591 & 1023u))) * _e622));
-                                            let _e709 = (bitcast<i32>((_e591 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e712 = bitcast<f32>((_e704 & bitcast<u32>(_e709)));
-                                            let _e716 = bitcast<f32>((_e686 & bitcast<u32>(~(_e691))));
-                                            let _e720 = bitcast<f32>((_e695 & bitcast<u32>(~(_e700))));
-                                            let _e724 = bitcast<f32>((_e704 & bitcast<u32>(~(_e709))));
-                                            let _e725 = (_e549.member.member.x + _e655);
-                                            let _e726 = (_e549.member.member.y + _e664);
-                                            let _e727 = (_e549.member.member.z + _e673);
-                                            let _e730 = (_e549.member.member_1.x - _e694);
-                                            let _e731 = (_e549.member.member_1.y - _e703);
-                                            let _e732 = (_e549.member.member_1.z - _e712);
-                                            let _e751 = (_e730 - _e725);
-                                            let _e752 = (_e731 - _e726);
-                                            let _e753 = (_e732 - _e727);
-                                            let _e755 = select(_e752, _e751, (_e751 > _e752));
-                                            let _e757 = select(_e753, _e755, (_e755 > _e753));
-                                            if (_e757 < (1024f * _e148)) {
-                                                phi_3198_ = 0u;
+                                            let _e749 = global_3.member[_e709.member_1][_e744];
+                                            let _e751 = (_e749 >> bitcast<u32>(11u));
+                                            let _e774 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.x - _e709.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e775 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.y - _e709.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e776 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.z - _e709.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e778 = select(_e153, _e774, (_e774 > _e153));
+                                            let _e780 = select(_e153, _e775, (_e775 > _e153));
+                                            let _e782 = select(_e153, _e776, (_e776 > _e153));
+                                            let _e813 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e731 & 1023u))) - 8388608f) * _e778));
+                                            let _e818 = (bitcast<i32>((_e731 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e821 = bitcast<f32>((_e813 & bitcast<u32>(_e818)));
+                                            let _e822 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 1023u))) - 8388608f) * _e780));
+                                            let _e827 = (bitcast<i32>((_e740 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e830 = bitcast<f32>((_e822 & bitcast<u32>(_e827)));
+                                            let _e831 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e749 & 1023u))) - 8388608f) * _e782));
+                                            let _e836 = (bitcast<i32>((_e749 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e839 = bitcast<f32>((_e831 & bitcast<u32>(_e836)));
+                                            let _e843 = bitcast<f32>((_e813 & bitcast<u32>(~(_e818))));
+                                            let _e847 = bitcast<f32>((_e822 & bitcast<u32>(~(_e827))));
+                                            let _e851 = bitcast<f32>((_e831 & bitcast<u32>(~(_e836))));
+                                            let _e852 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 1023u))) - 8388608f) * _e778));
+                                            let _e857 = (bitcast<i32>((_e733 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e860 = bitcast<f32>((_e852 & bitcast<u32>(_e857)));
+                                            let _e861 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e742 & 1023u))) - 8388608f) * _e780));
+                                            let _e866 = (bitcast<i32>((_e742 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e869 = bitcast<f32>((_e861 & bitcast<u32>(_e866)));
+                                            let _e870 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e751 & 1023u))) - 8388608f) * _e782));
+                                            let _e875 = (bitcast<i32>((_e751 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e878 = bitcast<f32>((_e870 & bitcast<u32>(_e875)));
+                                            let _e882 = bitcast<f32>((_e852 & bitcast<u32>(~(_e857))));
+                                            let _e886 = bitcast<f32>((_e861 & bitcast<u32>(~(_e866))));
+                                            let _e890 = bitcast<f32>((_e870 & bitcast<u32>(~(_e875))));
+                                            let _e891 = (_e709.member.member.x + _e821);
+                                            let _e892 = (_e709.member.member.y + _e830);
+                                            let _e893 = (_e709.member.member.z + _e839);
+                                            let _e896 = (_e709.member.member_1.x - _e860);
+                                            let _e897 = (_e709.member.member_1.y - _e869);
+                                            let _e898 = (_e709.member.member_1.z - _e878);
+                                            let _e917 = (_e896 - _e891);
+                                            let _e918 = (_e897 - _e892);
+                                            let _e919 = (_e898 - _e893);
+                                            let _e921 = select(_e918, _e917, (_e917 > _e918));
+                                            let _e923 = select(_e919, _e921, (_e921 > _e919));
+                                            if (_e923 < (1024f * _e153)) {
+                                                phi_3518_ = 0u;
                                             } else {
-                                                phi_3198_ = select(2u, 1u, (_e757 < (2097152f * _e148)));
+                                                phi_3518_ = select(2u, 1u, (_e923 < (2097152f * _e153)));
                                             }
-                                            let _e764 = phi_3198_;
-                                            switch bitcast<i32>(_e764) {
+                                            let _e930 = phi_3518_;
+                                            switch bitcast<i32>(_e930) {
                                                 case 0: {
-                                                    phi_3204_ = 1u;
+                                                    phi_3524_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3204_ = 2u;
+                                                    phi_3524_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3204_ = 3u;
+                                                    phi_3524_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3204_ = u32();
+                                                    phi_3524_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e767 = phi_3204_;
-                                            let _e773 = global_3.member[_e549.member_1][0u];
-                                            let _e777 = global_3.member[_e549.member_1][1u];
-                                            let _e781 = global_3.member[_e549.member_1][2u];
-                                            let _e785 = global_3.member[_e549.member_1][3u];
-                                            let _e797 = (((_e777 >> bitcast<u32>(22i)) | ((_e781 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e785 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e798 = (_e773 & 268435455u);
-                                            let _e799 = (_e797 & 268435455u);
-                                            let _e802 = ((_e773 >> bitcast<u32>(28u)) & 7u);
-                                            let _e810 = ((_e773 >> bitcast<u32>(31i)) | (((_e797 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e811 = (_e802 != 0u);
-                                            if (_e802 == 0u) {
-                                                phi_3459_ = _e798;
+                                            let _e933 = phi_3524_;
+                                            let _e939 = global_3.member[_e709.member_1][0u];
+                                            let _e943 = global_3.member[_e709.member_1][1u];
+                                            let _e947 = global_3.member[_e709.member_1][2u];
+                                            let _e951 = global_3.member[_e709.member_1][3u];
+                                            let _e963 = (((_e943 >> bitcast<u32>(22i)) | ((_e947 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e951 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e964 = (_e939 & 268435455u);
+                                            let _e965 = (_e963 & 268435455u);
+                                            let _e968 = ((_e939 >> bitcast<u32>(28u)) & 7u);
+                                            let _e976 = ((_e939 >> bitcast<u32>(31i)) | (((_e963 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e977 = (_e968 != 0u);
+                                            if (_e968 == 0u) {
+                                                phi_3779_ = _e964;
                                             } else {
-                                                if (_e802 == 7u) {
-                                                    phi_3458_ = 2147483648u;
+                                                if (_e968 == 7u) {
+                                                    phi_3778_ = 2147483648u;
                                                 } else {
-                                                    phi_3458_ = ((2147483648u | (_e802 << bitcast<u32>(28u))) | (_e799 & 268435455u));
+                                                    phi_3778_ = ((2147483648u | (_e968 << bitcast<u32>(28u))) | (_e965 & 268435455u));
                                                 }
-                                                let _e820 = phi_3458_;
-                                                phi_3459_ = _e820;
+                                                let _e986 = phi_3778_;
+                                                phi_3779_ = _e986;
                                             }
-                                            let _e822 = phi_3459_;
-                                            if _e811 {
-                                                let _e823 = (_e802 != 7u);
-                                                if _e823 {
-                                                    phi_3469_ = (_e799 + (_e802 * ((3u * _e767) + 1u)));
+                                            let _e988 = phi_3779_;
+                                            if _e977 {
+                                                let _e989 = (_e968 != 7u);
+                                                if _e989 {
+                                                    phi_3789_ = (_e965 + (_e968 * ((3u * _e933) + 1u)));
                                                 } else {
-                                                    phi_3469_ = u32();
+                                                    phi_3789_ = u32();
                                                 }
-                                                let _e827 = phi_3469_;
-                                                phi_3471_ = _e827;
-                                                phi_3472_ = select(true, false, _e823);
+                                                let _e993 = phi_3789_;
+                                                phi_3791_ = _e993;
+                                                phi_3792_ = select(true, false, _e989);
                                             } else {
-                                                phi_3471_ = u32();
-                                                phi_3472_ = true;
+                                                phi_3791_ = u32();
+                                                phi_3792_ = true;
                                             }
-                                            let _e830 = phi_3471_;
-                                            let _e832 = phi_3472_;
-                                            if (_e810 == 0u) {
-                                                phi_3493_ = (_e798 + select(0u, 1u, !(_e811)));
+                                            let _e996 = phi_3791_;
+                                            let _e998 = phi_3792_;
+                                            if (_e976 == 0u) {
+                                                phi_3813_ = (_e964 + select(0u, 1u, !(_e977)));
                                             } else {
-                                                if (_e810 == 7u) {
-                                                    phi_3492_ = 2147483648u;
+                                                if (_e976 == 7u) {
+                                                    phi_3812_ = 2147483648u;
                                                 } else {
-                                                    phi_3492_ = ((2147483648u | (_e810 << bitcast<u32>(28u))) | (select(_e830, _e799, _e832) & 268435455u));
+                                                    phi_3812_ = ((2147483648u | (_e976 << bitcast<u32>(28u))) | (select(_e996, _e965, _e998) & 268435455u));
                                                 }
-                                                let _e845 = phi_3492_;
-                                                phi_3493_ = _e845;
+                                                let _e1011 = phi_3812_;
+                                                phi_3813_ = _e1011;
                                             }
-                                            let _e847 = phi_3493_;
-                                            phi_3497_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e725, (_e549.member.member.x + _e677), _e730, (_e549.member.member_1.x - _e716)), vec4<f32>(_e726, (_e549.member.member.y + _e681), _e731, (_e549.member.member_1.y - _e720)), vec4<f32>(_e727, (_e549.member.member.z + _e685), _e732, (_e549.member.member_1.z - _e724))), type_51(type_28((_e549.member.member + vec4<f32>(_e655, _e664, _e673, 0f)), (_e549.member.member_1 - vec4<f32>(_e694, _e703, _e712, 0f))), _e822), type_51(type_28((_e549.member.member + vec4<f32>(_e677, _e681, _e685, 0f)), (_e549.member.member_1 - vec4<f32>(_e716, _e720, _e724, 0f))), _e847));
+                                            let _e1013 = phi_3813_;
+                                            phi_3817_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e891, (_e709.member.member.x + _e843), _e896, (_e709.member.member_1.x - _e882)), vec4<f32>(_e892, (_e709.member.member.y + _e847), _e897, (_e709.member.member_1.y - _e886)), vec4<f32>(_e893, (_e709.member.member.z + _e851), _e898, (_e709.member.member_1.z - _e890))), type_51(type_28((_e709.member.member + vec4<f32>(_e821, _e830, _e839, 0f)), (_e709.member.member_1 - vec4<f32>(_e860, _e869, _e878, 0f))), _e988), type_51(type_28((_e709.member.member + vec4<f32>(_e843, _e847, _e851, 0f)), (_e709.member.member_1 - vec4<f32>(_e882, _e886, _e890, 0f))), _e1013));
                                         }
-                                        let _e852 = phi_3497_;
-                                        let _e863 = ((_e852.member[0].x - _e340) * _e345);
-                                        let _e864 = ((_e852.member[0].y - _e340) * _e345);
-                                        let _e865 = ((_e852.member[0].z - _e341) * _e345);
-                                        let _e866 = ((_e852.member[0].w - _e341) * _e345);
-                                        let _e876 = ((_e852.member[1].x - _e378) * _e383);
-                                        let _e877 = ((_e852.member[1].y - _e378) * _e383);
-                                        let _e878 = ((_e852.member[1].z - _e379) * _e383);
-                                        let _e879 = ((_e852.member[1].w - _e379) * _e383);
-                                        let _e889 = ((_e852.member[2].x - _e416) * _e421);
-                                        let _e890 = ((_e852.member[2].y - _e416) * _e421);
-                                        let _e891 = ((_e852.member[2].z - _e417) * _e421);
-                                        let _e892 = ((_e852.member[2].w - _e417) * _e421);
-                                        let _e894 = select(_e891, _e889, (_e889 < _e891));
-                                        let _e896 = select(_e892, _e890, (_e890 < _e892));
-                                        let _e898 = select(_e891, _e889, (_e889 > _e891));
-                                        let _e900 = select(_e892, _e890, (_e890 > _e892));
-                                        let _e902 = select(_e865, _e863, (_e863 < _e865));
-                                        let _e904 = select(_e866, _e864, (_e864 < _e866));
-                                        let _e906 = select(_e878, _e876, (_e876 < _e878));
-                                        let _e908 = select(_e879, _e877, (_e877 < _e879));
-                                        let _e910 = select(_e906, _e902, (_e902 > _e906));
-                                        let _e912 = select(_e908, _e904, (_e904 > _e908));
-                                        let _e914 = select(_e894, _e910, (_e910 > _e894));
-                                        let _e916 = select(_e896, _e912, (_e912 > _e896));
-                                        let _e918 = select(_e865, _e863, (_e863 > _e865));
-                                        let _e920 = select(_e866, _e864, (_e864 > _e866));
-                                        let _e922 = select(_e878, _e876, (_e876 > _e878));
-                                        let _e924 = select(_e879, _e877, (_e877 > _e879));
-                                        let _e926 = select(_e922, _e918, (_e918 < _e922));
-                                        let _e928 = select(_e924, _e920, (_e920 < _e924));
-                                        let _e933 = -(_e894);
-                                        let _e934 = -(_e896);
-                                        let _e941 = (select(_e898, _e926, (_e926 < _e898)) + (select(_e933, _e898, (_e898 > _e933)) * 0.0000019073523f));
-                                        let _e942 = (select(_e900, _e928, (_e928 < _e900)) + (select(_e934, _e900, (_e900 > _e934)) * 0.0000019073523f));
-                                        let _e944 = select(_e468, _e914, (_e914 > _e468));
-                                        let _e946 = select(_e468, _e916, (_e916 > _e468));
-                                        let _e951 = (_e944 <= select(_e511, _e941, (_e941 < _e511)));
-                                        let _e952 = (_e946 <= select(_e511, _e942, (_e942 < _e511)));
-                                        let _e953 = (_e944 <= _e946);
-                                        if _e951 {
-                                            if _e952 {
-                                                if _e953 {
-                                                    phi_3842_ = _e852.member_2;
+                                        let _e1018 = phi_3817_;
+                                        let _e1029 = ((_e1018.member[0].x - _e375) * _e380);
+                                        let _e1030 = ((_e1018.member[0].y - _e375) * _e380);
+                                        let _e1031 = ((_e1018.member[0].z - _e376) * _e380);
+                                        let _e1032 = ((_e1018.member[0].w - _e376) * _e380);
+                                        let _e1042 = ((_e1018.member[1].x - _e443) * _e448);
+                                        let _e1043 = ((_e1018.member[1].y - _e443) * _e448);
+                                        let _e1044 = ((_e1018.member[1].z - _e444) * _e448);
+                                        let _e1045 = ((_e1018.member[1].w - _e444) * _e448);
+                                        let _e1055 = ((_e1018.member[2].x - _e511) * _e516);
+                                        let _e1056 = ((_e1018.member[2].y - _e511) * _e516);
+                                        let _e1057 = ((_e1018.member[2].z - _e512) * _e516);
+                                        let _e1058 = ((_e1018.member[2].w - _e512) * _e516);
+                                        let _e1060 = select(_e1057, _e1055, (_e1055 < _e1057));
+                                        let _e1062 = select(_e1058, _e1056, (_e1056 < _e1058));
+                                        let _e1064 = select(_e1057, _e1055, (_e1055 > _e1057));
+                                        let _e1066 = select(_e1058, _e1056, (_e1056 > _e1058));
+                                        let _e1068 = select(_e1031, _e1029, (_e1029 < _e1031));
+                                        let _e1070 = select(_e1032, _e1030, (_e1030 < _e1032));
+                                        let _e1072 = select(_e1044, _e1042, (_e1042 < _e1044));
+                                        let _e1074 = select(_e1045, _e1043, (_e1043 < _e1045));
+                                        let _e1076 = select(_e1072, _e1068, (_e1068 > _e1072));
+                                        let _e1078 = select(_e1074, _e1070, (_e1070 > _e1074));
+                                        let _e1080 = select(_e1060, _e1076, (_e1076 > _e1060));
+                                        let _e1082 = select(_e1062, _e1078, (_e1078 > _e1062));
+                                        let _e1084 = select(_e1031, _e1029, (_e1029 > _e1031));
+                                        let _e1086 = select(_e1032, _e1030, (_e1030 > _e1032));
+                                        let _e1088 = select(_e1044, _e1042, (_e1042 > _e1044));
+                                        let _e1090 = select(_e1045, _e1043, (_e1043 > _e1045));
+                                        let _e1092 = select(_e1088, _e1084, (_e1084 < _e1088));
+                                        let _e1094 = select(_e1090, _e1086, (_e1086 < _e1090));
+                                        let _e1099 = -(_e1060);
+                                        let _e1100 = -(_e1062);
+                                        let _e1107 = (select(_e1064, _e1092, (_e1092 < _e1064)) + (select(_e1099, _e1064, (_e1064 > _e1099)) * 0.0000019073523f));
+                                        let _e1108 = (select(_e1066, _e1094, (_e1094 < _e1066)) + (select(_e1100, _e1066, (_e1066 > _e1100)) * 0.0000019073523f));
+                                        let _e1110 = select(_e628, _e1080, (_e1080 > _e628));
+                                        let _e1112 = select(_e628, _e1082, (_e1082 > _e628));
+                                        let _e1117 = (_e1110 <= select(_e671, _e1107, (_e1107 < _e671)));
+                                        let _e1118 = (_e1112 <= select(_e671, _e1108, (_e1108 < _e671)));
+                                        let _e1119 = (_e1110 <= _e1112);
+                                        if _e1117 {
+                                            if _e1118 {
+                                                if _e1119 {
+                                                    phi_4162_ = _e1018.member_2;
                                                 } else {
-                                                    phi_3842_ = _e852.member_1;
+                                                    phi_4162_ = _e1018.member_1;
                                                 }
-                                                let _e957 = phi_3842_;
-                                                let _e979 = (_e553 % 128u);
-                                                let _e980 = (_e979 < 128u);
-                                                if _e980 {
+                                                let _e1123 = phi_4162_;
+                                                let _e1145 = (_e713 % 128u);
+                                                let _e1146 = (_e1145 < 128u);
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4631_ = true;
+                                                    phi_5075_ = true;
                                                     break;
                                                 }
-                                                local_8[_e979] = _e957.member_1;
-                                                if _e980 {
+                                                local_8[_e1145] = _e1123.member_1;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4631_ = true;
+                                                    phi_5075_ = true;
                                                     break;
                                                 }
-                                                local_7[_e979] = _e957.member.member.x;
-                                                if _e980 {
+                                                local_7[_e1145] = _e1123.member.member.x;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4631_ = true;
+                                                    phi_5075_ = true;
                                                     break;
                                                 }
-                                                local_6[_e979] = _e957.member.member.y;
-                                                if _e980 {
+                                                local_6[_e1145] = _e1123.member.member.y;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4631_ = true;
+                                                    phi_5075_ = true;
                                                     break;
                                                 }
-                                                local_5[_e979] = _e957.member.member.z;
-                                                if _e980 {
+                                                local_5[_e1145] = _e1123.member.member.z;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4631_ = true;
+                                                    phi_5075_ = true;
                                                     break;
                                                 }
-                                                local_4[_e979] = _e957.member.member_1.x;
-                                                if _e980 {
+                                                local_4[_e1145] = _e1123.member.member_1.x;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4631_ = true;
+                                                    phi_5075_ = true;
                                                     break;
                                                 }
-                                                local_3[_e979] = _e957.member.member_1.y;
-                                                if _e980 {
+                                                local_3[_e1145] = _e1123.member.member_1.y;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4631_ = true;
+                                                    phi_5075_ = true;
                                                     break;
                                                 }
-                                                local_2[_e979] = _e957.member.member_1.z;
-                                                if _e980 {
+                                                local_2[_e1145] = _e1123.member.member_1.z;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_4631_ = true;
+                                                    phi_5075_ = true;
                                                     break;
                                                 }
-                                                local_10[_e979] = select(_e946, _e944, (_e944 > _e946));
-                                                if _e953 {
-                                                    phi_3919_ = _e852.member_1;
+                                                local_10[_e1145] = select(_e1112, _e1110, (_e1110 > _e1112));
+                                                if _e1119 {
+                                                    phi_4239_ = _e1018.member_1;
                                                 } else {
-                                                    phi_3919_ = _e852.member_2;
+                                                    phi_4239_ = _e1018.member_2;
                                                 }
-                                                let _e993 = phi_3919_;
-                                                phi_3920_ = _e993;
-                                                phi_3921_ = (_e553 + 1u);
+                                                let _e1159 = phi_4239_;
+                                                phi_4240_ = _e1159;
+                                                phi_4241_ = (_e713 + 1u);
                                             } else {
-                                                phi_3920_ = type_51();
-                                                phi_3921_ = u32();
+                                                phi_4240_ = type_51();
+                                                phi_4241_ = u32();
                                             }
-                                            let _e995 = phi_3920_;
-                                            let _e997 = phi_3921_;
-                                            phi_3923_ = _e995;
-                                            phi_3924_ = _e997;
-                                            phi_3925_ = select(true, false, _e952);
+                                            let _e1161 = phi_4240_;
+                                            let _e1163 = phi_4241_;
+                                            phi_4243_ = _e1161;
+                                            phi_4244_ = _e1163;
+                                            phi_4245_ = select(true, false, _e1118);
                                         } else {
-                                            phi_3923_ = type_51();
-                                            phi_3924_ = u32();
-                                            phi_3925_ = true;
+                                            phi_4243_ = type_51();
+                                            phi_4244_ = u32();
+                                            phi_4245_ = true;
                                         }
-                                        let _e1000 = phi_3923_;
-                                        let _e1002 = phi_3924_;
-                                        let _e1004 = phi_3925_;
-                                        if _e1004 {
-                                            if _e951 {
-                                                phi_3934_ = _e852.member_1;
+                                        let _e1166 = phi_4243_;
+                                        let _e1168 = phi_4244_;
+                                        let _e1170 = phi_4245_;
+                                        if _e1170 {
+                                            if _e1117 {
+                                                phi_4254_ = _e1018.member_1;
                                             } else {
-                                                phi_3934_ = _e852.member_2;
+                                                phi_4254_ = _e1018.member_2;
                                             }
-                                            let _e1008 = phi_3934_;
-                                            phi_3939_ = _e1008;
-                                            phi_3940_ = select(_e952, true, _e951);
+                                            let _e1174 = phi_4254_;
+                                            phi_4259_ = _e1174;
+                                            phi_4260_ = select(_e1118, true, _e1117);
                                         } else {
-                                            phi_3939_ = _e1000;
-                                            phi_3940_ = _e551;
+                                            phi_4259_ = _e1166;
+                                            phi_4260_ = _e711;
                                         }
-                                        let _e1011 = phi_3939_;
-                                        let _e1013 = phi_3940_;
-                                        phi_4738_ = _e511;
-                                        phi_4635_ = _e509;
-                                        phi_3942_ = _e1011;
-                                        phi_3943_ = _e1013;
-                                        phi_3944_ = select(_e1002, _e553, _e1004);
+                                        let _e1177 = phi_4259_;
+                                        let _e1179 = phi_4260_;
+                                        phi_5193_ = _e671;
+                                        phi_5079_ = _e669;
+                                        phi_4262_ = _e1177;
+                                        phi_4263_ = _e1179;
+                                        phi_4264_ = select(_e1168, _e713, _e1170);
                                     }
-                                    let _e1999 = phi_4738_;
-                                    let _e2001 = phi_4635_;
-                                    let _e2003 = phi_3942_;
-                                    let _e2005 = phi_3943_;
-                                    let _e2007 = phi_3944_;
-                                    phi_4737_ = _e1999;
-                                    phi_4634_ = _e2001;
-                                    phi_3945_ = _e2003;
-                                    phi_3946_ = (_e515 - 1u);
-                                    phi_3947_ = _e2005;
-                                    phi_3948_ = _e2007;
+                                    let _e2183 = phi_5193_;
+                                    let _e2185 = phi_5079_;
+                                    let _e2187 = phi_4262_;
+                                    let _e2189 = phi_4263_;
+                                    let _e2191 = phi_4264_;
+                                    phi_5192_ = _e2183;
+                                    phi_5078_ = _e2185;
+                                    phi_4265_ = _e2187;
+                                    phi_4266_ = (_e675 - 1u);
+                                    phi_4267_ = _e2189;
+                                    phi_4268_ = _e2191;
                                 } else {
-                                    phi_4737_ = _e511;
-                                    phi_4634_ = _e509;
-                                    phi_3945_ = _e549;
-                                    phi_3946_ = _e515;
-                                    phi_3947_ = _e551;
-                                    phi_3948_ = _e553;
+                                    phi_5192_ = _e671;
+                                    phi_5078_ = _e669;
+                                    phi_4265_ = _e709;
+                                    phi_4266_ = _e675;
+                                    phi_4267_ = _e711;
+                                    phi_4268_ = _e713;
                                 }
-                                let _e2009 = phi_4737_;
-                                let _e2011 = phi_4634_;
-                                let _e2013 = phi_3945_;
-                                let _e2015 = phi_3946_;
-                                let _e2017 = phi_3947_;
-                                let _e2019 = phi_3948_;
-                                phi_4736_ = _e2009;
-                                phi_4633_ = _e2011;
-                                phi_3949_ = _e2013;
-                                phi_3950_ = _e2015;
-                                phi_3951_ = _e2017;
-                                phi_3952_ = _e2019;
+                                let _e2193 = phi_5192_;
+                                let _e2195 = phi_5078_;
+                                let _e2197 = phi_4265_;
+                                let _e2199 = phi_4266_;
+                                let _e2201 = phi_4267_;
+                                let _e2203 = phi_4268_;
+                                phi_5191_ = _e2193;
+                                phi_5077_ = _e2195;
+                                phi_4269_ = _e2197;
+                                phi_4270_ = _e2199;
+                                phi_4271_ = _e2201;
+                                phi_4272_ = _e2203;
                             } else {
-                                phi_4736_ = _e511;
-                                phi_4633_ = _e509;
-                                phi_3949_ = type_51();
-                                phi_3950_ = u32();
-                                phi_3951_ = bool();
-                                phi_3952_ = u32();
+                                phi_5191_ = _e671;
+                                phi_5077_ = _e669;
+                                phi_4269_ = type_51();
+                                phi_4270_ = u32();
+                                phi_4271_ = bool();
+                                phi_4272_ = u32();
                             }
-                            let _e2021 = phi_4736_;
-                            let _e2023 = phi_4633_;
-                            let _e2025 = phi_3949_;
-                            let _e2027 = phi_3950_;
-                            let _e2029 = phi_3951_;
-                            let _e2031 = phi_3952_;
-                            phi_4735_ = _e2021;
-                            phi_4632_ = _e2023;
-                            phi_915_ = _e2025;
-                            phi_918_ = _e2027;
-                            phi_920_ = _e2029;
-                            phi_922_ = _e2031;
-                            phi_3953_ = _e523;
+                            let _e2205 = phi_5191_;
+                            let _e2207 = phi_5077_;
+                            let _e2209 = phi_4269_;
+                            let _e2211 = phi_4270_;
+                            let _e2213 = phi_4271_;
+                            let _e2215 = phi_4272_;
+                            phi_5190_ = _e2205;
+                            phi_5076_ = _e2207;
+                            phi_1217_ = _e2209;
+                            phi_1220_ = _e2211;
+                            phi_1222_ = _e2213;
+                            phi_1224_ = _e2215;
+                            phi_4273_ = _e683;
                         } else {
-                            phi_4735_ = _e511;
-                            phi_4632_ = _e509;
-                            phi_915_ = type_51();
-                            phi_918_ = u32();
-                            phi_920_ = bool();
-                            phi_922_ = u32();
-                            phi_3953_ = false;
+                            phi_5190_ = _e671;
+                            phi_5076_ = _e669;
+                            phi_1217_ = type_51();
+                            phi_1220_ = u32();
+                            phi_1222_ = bool();
+                            phi_1224_ = u32();
+                            phi_4273_ = false;
                         }
-                        let _e2033 = phi_4735_;
-                        let _e2035 = phi_4632_;
-                        let _e2037 = phi_915_;
-                        let _e2039 = phi_918_;
-                        let _e2041 = phi_920_;
-                        let _e2043 = phi_922_;
-                        let _e2045 = phi_3953_;
+                        let _e2217 = phi_5190_;
+                        let _e2219 = phi_5076_;
+                        let _e2221 = phi_1217_;
+                        let _e2223 = phi_1220_;
+                        let _e2225 = phi_1222_;
+                        let _e2227 = phi_1224_;
+                        let _e2229 = phi_4273_;
                         continue;
                         continuing {
-                            phi_4469_ = _e2035;
-                            phi_4325_ = _e2033;
-                            phi_914_ = _e2037;
-                            phi_917_ = _e2039;
-                            phi_919_ = _e2041;
-                            phi_921_ = _e2043;
-                            phi_4631_ = _e2035;
-                            break if !(_e2045);
+                            phi_4895_ = _e2219;
+                            phi_4751_ = _e2217;
+                            phi_1216_ = _e2221;
+                            phi_1219_ = _e2223;
+                            phi_1221_ = _e2225;
+                            phi_1223_ = _e2227;
+                            phi_5075_ = _e2219;
+                            break if !(_e2229);
                         }
                     }
-                    let _e2048 = phi_4631_;
-                    if _e2048 {
+                    let _e2232 = phi_5075_;
+                    if _e2232 {
                         break;
                     }
-                    phi_3960_ = type_8(0u, 8u);
+                    phi_4280_ = type_8(0u, 8u);
                     loop {
-                        let _e2050 = phi_3960_;
-                        if (_e2050.member < _e2050.member_1) {
-                            phi_3961_ = type_8((_e2050.member + 1u), _e2050.member_1);
-                            phi_3984_ = type_8(1u, _e2050.member);
+                        let _e2234 = phi_4280_;
+                        if (_e2234.member < _e2234.member_1) {
+                            phi_4281_ = type_8((_e2234.member + 1u), _e2234.member_1);
+                            phi_4304_ = type_8(1u, _e2234.member);
                         } else {
-                            phi_3961_ = _e2050;
-                            phi_3984_ = type_8(0u, type_8().member_1);
+                            phi_4281_ = _e2234;
+                            phi_4304_ = type_8(0u, type_8().member_1);
                         }
-                        let _e2063 = phi_3961_;
-                        let _e2065 = phi_3984_;
-                        let _e2069 = (bitcast<i32>(_e2065.member) != 0i);
-                        if _e2069 {
-                            let _e2070 = (_e2065.member_1 < 8u);
-                            if _e2070 {
+                        let _e2247 = phi_4281_;
+                        let _e2249 = phi_4304_;
+                        let _e2253 = (bitcast<i32>(_e2249.member) != 0i);
+                        if _e2253 {
+                            let _e2254 = (_e2249.member_1 < 8u);
+                            if _e2254 {
                             } else {
-                                phi_4728_ = true;
+                                phi_5172_ = true;
                                 break;
                             }
-                            let _e2072 = local_9[_e2065.member_1];
-                            if (_e2072.member_3 != 4294967295u) {
-                                let _e2078 = -(_e435);
-                                let _e2079 = (_e2078 / 3i);
-                                let _e2086 = bitcast<f32>((bitcast<u32>((_e2079 + 127i)) << bitcast<u32>(23i)));
-                                let _e2094 = (((_e2072.member * _e2086) * _e2086) * bitcast<f32>((bitcast<u32>(((_e2078 - (2i * _e2079)) + 127i)) << bitcast<u32>(23i))));
-                                let _e2096 = select(340282350000000000000000000000000000000f, _e2094, (_e2094 < 340282350000000000000000000000000000000f));
-                                phi_4050_ = type_24(select(-340282350000000000000000000000000000000f, _e2096, (_e2096 > -340282350000000000000000000000000000000f)), _e2072.member_1, _e2072.member_2, _e2072.member_3);
+                            let _e2256 = local_9[_e2249.member_1];
+                            if (_e2256.member_3 != 4294967295u) {
+                                let _e2262 = -(_e530);
+                                let _e2263 = bitcast<u32>(_e2256.member);
+                                let _e2267 = (bitcast<i32>((_e2263 >> bitcast<u32>(23i))) & 255i);
+                                let _e2268 = (_e2267 + _e2262);
+                                if (_e2267 == 255i) {
+                                    phi_4377_ = _e2256.member;
+                                } else {
+                                    if (_e2267 > 0i) {
+                                        if (_e2268 > 0i) {
+                                            let _e2272 = (_e2268 < 255i);
+                                            if _e2272 {
+                                                phi_4356_ = bitcast<f32>((_e2263 + bitcast<u32>((_e2262 << bitcast<u32>(23i)))));
+                                            } else {
+                                                phi_4356_ = f32();
+                                            }
+                                            let _e2279 = phi_4356_;
+                                            phi_4358_ = _e2279;
+                                            phi_4359_ = select(true, false, _e2272);
+                                        } else {
+                                            phi_4358_ = f32();
+                                            phi_4359_ = true;
+                                        }
+                                        let _e2282 = phi_4358_;
+                                        let _e2284 = phi_4359_;
+                                        phi_4360_ = _e2282;
+                                        phi_4361_ = _e2284;
+                                    } else {
+                                        phi_4360_ = f32();
+                                        phi_4361_ = true;
+                                    }
+                                    let _e2286 = phi_4360_;
+                                    let _e2288 = phi_4361_;
+                                    if _e2288 {
+                                        let _e2289 = (_e2263 & 2147483648u);
+                                        let _e2296 = ((_e2263 & 8388607u) | (select(0u, 1u, ((_e2263 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e2300 = (_e2296 == 0u);
+                                        if _e2300 {
+                                            phi_4698_ = bitcast<f32>(_e2289);
+                                        } else {
+                                            let _e2305 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2296)), 32u, _e2300) - 8u);
+                                            let _e2308 = (_e2296 << bitcast<u32>((_e2305 & 31u)));
+                                            let _e2310 = ((_e2268 + select(0i, 1i, (_e2267 == 0i))) - bitcast<i32>(_e2305));
+                                            if (_e2310 >= 255i) {
+                                                phi_4688_ = bitcast<f32>((_e2289 | 2139095040u));
+                                                phi_4689_ = f32();
+                                                phi_4690_ = true;
+                                            } else {
+                                                let _e2312 = (_e2310 > 0i);
+                                                if _e2312 {
+                                                    phi_4682_ = bitcast<f32>(((_e2289 | (bitcast<u32>(_e2310) << bitcast<u32>(23i))) | (_e2308 & 8388607u)));
+                                                    phi_4683_ = f32();
+                                                } else {
+                                                    if (_e2310 < -24i) {
+                                                        phi_4648_ = 26u;
+                                                    } else {
+                                                        phi_4648_ = bitcast<u32>((1i - _e2310));
+                                                    }
+                                                    let _e2317 = phi_4648_;
+                                                    let _e2318 = (_e2317 & 31u);
+                                                    let _e2320 = (_e2308 >> bitcast<u32>(_e2318));
+                                                    let _e2324 = (_e2308 & ((1u << bitcast<u32>(_e2318)) - 1u));
+                                                    let _e2328 = (1u << bitcast<u32>(((_e2317 - 1u) & 31u)));
+                                                    if (_e2324 > _e2328) {
+                                                        phi_4669_ = true;
+                                                    } else {
+                                                        if (_e2324 == _e2328) {
+                                                            phi_4666_ = ((_e2320 & 1u) == 1u);
+                                                        } else {
+                                                            phi_4666_ = false;
+                                                        }
+                                                        let _e2334 = phi_4666_;
+                                                        phi_4669_ = _e2334;
+                                                    }
+                                                    let _e2336 = phi_4669_;
+                                                    phi_4682_ = f32();
+                                                    phi_4683_ = bitcast<f32>((_e2289 | (_e2320 + select(0u, 1u, _e2336))));
+                                                }
+                                                let _e2349 = phi_4682_;
+                                                let _e2351 = phi_4683_;
+                                                phi_4688_ = _e2349;
+                                                phi_4689_ = _e2351;
+                                                phi_4690_ = _e2312;
+                                            }
+                                            let _e2355 = phi_4688_;
+                                            let _e2357 = phi_4689_;
+                                            let _e2359 = phi_4690_;
+                                            phi_4698_ = select(_e2357, _e2355, _e2359);
+                                        }
+                                        let _e2363 = phi_4698_;
+                                        phi_4376_ = _e2363;
+                                    } else {
+                                        phi_4376_ = _e2286;
+                                    }
+                                    let _e2365 = phi_4376_;
+                                    phi_4377_ = _e2365;
+                                }
+                                let _e2367 = phi_4377_;
+                                let _e2368 = bitcast<u32>(_e2367);
+                                if ((_e2368 & 2147483647u) >= 2139095040u) {
+                                    phi_4389_ = bitcast<f32>(((_e2368 & 2147483648u) | 2139095039u));
+                                } else {
+                                    phi_4389_ = _e2367;
+                                }
+                                let _e2375 = phi_4389_;
+                                phi_4394_ = type_24(_e2375, _e2256.member_1, _e2256.member_2, _e2256.member_3);
                             } else {
-                                phi_4050_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_4394_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e2101 = phi_4050_;
-                            if _e2070 {
+                            let _e2378 = phi_4394_;
+                            if _e2254 {
                             } else {
-                                phi_4728_ = true;
+                                phi_5172_ = true;
                                 break;
                             }
-                            local_9[_e2065.member_1] = type_24(_e2101.member, _e2101.member_1, _e2101.member_2, _e2101.member_3);
+                            local_9[_e2249.member_1] = type_24(_e2378.member, _e2378.member_1, _e2378.member_2, _e2378.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3960_ = _e2063;
-                            phi_4728_ = _e2048;
-                            break if !(_e2069);
+                            phi_4280_ = _e2247;
+                            phi_5172_ = _e2232;
+                            break if !(_e2253);
                         }
                     }
-                    let _e2109 = phi_4728_;
-                    if _e2109 {
+                    let _e2386 = phi_5172_;
+                    if _e2386 {
                         break;
                     }
-                    let _e2110 = local_9;
-                    if _e156 {
+                    let _e2387 = local_9;
+                    if _e161 {
                     } else {
                         break;
                     }
-                    global_6.member[_e154] = array<type_24, 8>(type_24(_e2110[0].member, _e2110[0].member_1, _e2110[0].member_2, _e2110[0].member_3), type_24(_e2110[1].member, _e2110[1].member_1, _e2110[1].member_2, _e2110[1].member_3), type_24(_e2110[2].member, _e2110[2].member_1, _e2110[2].member_2, _e2110[2].member_3), type_24(_e2110[3].member, _e2110[3].member_1, _e2110[3].member_2, _e2110[3].member_3), type_24(_e2110[4].member, _e2110[4].member_1, _e2110[4].member_2, _e2110[4].member_3), type_24(_e2110[5].member, _e2110[5].member_1, _e2110[5].member_2, _e2110[5].member_3), type_24(_e2110[6].member, _e2110[6].member_1, _e2110[6].member_2, _e2110[6].member_3), type_24(_e2110[7].member, _e2110[7].member_1, _e2110[7].member_2, _e2110[7].member_3));
+                    global_6.member[_e159] = array<type_24, 8>(type_24(_e2387[0].member, _e2387[0].member_1, _e2387[0].member_2, _e2387[0].member_3), type_24(_e2387[1].member, _e2387[1].member_1, _e2387[1].member_2, _e2387[1].member_3), type_24(_e2387[2].member, _e2387[2].member_1, _e2387[2].member_2, _e2387[2].member_3), type_24(_e2387[3].member, _e2387[3].member_1, _e2387[3].member_2, _e2387[3].member_3), type_24(_e2387[4].member, _e2387[4].member_1, _e2387[4].member_2, _e2387[4].member_3), type_24(_e2387[5].member, _e2387[5].member_1, _e2387[5].member_2, _e2387[5].member_3), type_24(_e2387[6].member, _e2387[6].member_1, _e2387[6].member_2, _e2387[6].member_3), type_24(_e2387[7].member, _e2387[7].member_1, _e2387[7].member_2, _e2387[7].member_3));
                 }
             }
             break;

@@ -88,418 +88,495 @@ fn function_() {
     var local_8: array<u32, 128>;
     var local_9: array<type_21, 8>;
     var local_10: array<f32, 128>;
-    var phi_390_: i32;
-    var phi_391_: i32;
-    var phi_401_: bool;
-    var phi_411_: u32;
-    var phi_412_: u32;
-    var phi_414_: bool;
-    var phi_419_: u32;
-    var phi_431_: i32;
-    var phi_451_: i32;
-    var phi_469_: f32;
-    var phi_475_: f32;
-    var phi_486_: f32;
-    var phi_492_: f32;
-    var phi_515_: f32;
-    var phi_526_: f32;
-    var phi_535_: f32;
-    var phi_541_: f32;
+    var phi_473_: i32;
+    var phi_474_: i32;
+    var phi_484_: bool;
+    var phi_494_: u32;
+    var phi_495_: u32;
+    var phi_497_: bool;
+    var phi_502_: u32;
+    var phi_514_: i32;
+    var phi_534_: i32;
     var phi_552_: f32;
     var phi_558_: f32;
-    var phi_581_: f32;
-    var phi_592_: f32;
-    var phi_601_: f32;
-    var phi_607_: f32;
-    var phi_618_: f32;
-    var phi_624_: f32;
-    var phi_647_: f32;
-    var phi_658_: f32;
-    var phi_758_: f32;
-    var phi_759_: f32;
-    var phi_3765_: bool;
-    var phi_3693_: f32;
-    var phi_901_: type_52;
-    var phi_904_: u32;
-    var phi_906_: bool;
-    var phi_908_: u32;
-    var phi_919_: bool;
-    var phi_1006_: type_52;
-    var phi_1007_: bool;
-    var phi_1008_: u32;
-    var phi_2826_: u32;
-    var phi_2827_: u32;
-    var phi_2837_: u32;
-    var phi_2839_: u32;
-    var phi_2840_: bool;
-    var phi_2860_: u32;
-    var phi_2861_: u32;
-    var phi_2865_: type_53;
-    var phi_3210_: type_52;
-    var phi_3287_: type_52;
-    var phi_3288_: type_52;
-    var phi_3289_: u32;
-    var phi_3291_: type_52;
-    var phi_3292_: u32;
-    var phi_3293_: bool;
-    var phi_3302_: type_52;
-    var phi_3307_: type_52;
-    var phi_3308_: bool;
-    var phi_3762_: bool;
-    var phi_3752_: f32;
-    var phi_1026_: type_4;
-    var phi_1027_: type_4;
-    var phi_1050_: type_4;
-    var phi_1071_: u32;
-    var phi_1160_: array<array<f32, 3>, 3>;
-    var phi_1278_: bool;
-    var phi_1307_: bool;
-    var phi_1708_: f32;
-    var phi_1709_: f32;
-    var phi_1710_: f32;
-    var phi_1711_: f32;
-    var phi_1712_: vec3<f32>;
-    var phi_1713_: vec3<f32>;
-    var phi_1714_: vec3<f32>;
-    var phi_1715_: vec3<f32>;
-    var phi_1746_: bool;
-    var phi_1755_: vec3<f32>;
-    var phi_1920_: f32;
-    var phi_1922_: f32;
-    var phi_1923_: bool;
-    var phi_1943_: f32;
-    var phi_1944_: f32;
-    var phi_1967_: type_21;
-    var phi_1969_: type_21;
-    var phi_1970_: bool;
-    var phi_1974_: type_21;
-    var phi_1975_: type_21;
-    var phi_1976_: type_21;
-    var phi_1977_: bool;
-    var phi_1981_: type_21;
-    var phi_1982_: bool;
-    var phi_1983_: type_21;
-    var phi_1984_: bool;
-    var phi_1985_: bool;
-    var phi_1986_: type_21;
-    var phi_1987_: bool;
-    var phi_1988_: bool;
-    var phi_1996_: type_21;
-    var phi_1997_: bool;
-    var phi_2001_: type_21;
-    var phi_2013_: type_4;
-    var phi_2016_: type_21;
-    var phi_2014_: type_4;
-    var phi_2039_: type_4;
-    var phi_2071_: bool;
-    var phi_2072_: bool;
-    var phi_2093_: type_21;
-    var phi_2017_: type_21;
-    var phi_3753_: bool;
-    var phi_4128_: f32;
-    var phi_4127_: f32;
-    var phi_3898_: bool;
-    var phi_4126_: f32;
-    var phi_3897_: bool;
-    var phi_4125_: f32;
-    var phi_3896_: bool;
-    var phi_4037_: f32;
-    var phi_3895_: bool;
-    var phi_4002_: f32;
-    var phi_3904_: bool;
-    var phi_3310_: type_52;
-    var phi_3311_: bool;
-    var phi_3312_: u32;
-    var phi_4001_: f32;
-    var phi_3903_: bool;
-    var phi_3313_: type_52;
-    var phi_3314_: u32;
-    var phi_3315_: bool;
-    var phi_3316_: u32;
-    var phi_4000_: f32;
-    var phi_3902_: bool;
-    var phi_3317_: type_52;
-    var phi_3318_: u32;
-    var phi_3319_: bool;
-    var phi_3320_: u32;
-    var phi_3999_: f32;
-    var phi_3901_: bool;
-    var phi_902_: type_52;
-    var phi_905_: u32;
-    var phi_907_: bool;
-    var phi_909_: u32;
-    var phi_3321_: bool;
-    var phi_3900_: bool;
-    var phi_3328_: type_4;
-    var phi_3329_: type_4;
-    var phi_3352_: type_4;
-    var phi_3418_: type_21;
-    var phi_3992_: bool;
+    var phi_598_: f32;
+    var phi_604_: f32;
+    var phi_656_: f32;
+    var phi_667_: f32;
+    var phi_676_: f32;
+    var phi_682_: f32;
+    var phi_722_: f32;
+    var phi_728_: f32;
+    var phi_780_: f32;
+    var phi_791_: f32;
+    var phi_800_: f32;
+    var phi_806_: f32;
+    var phi_846_: f32;
+    var phi_852_: f32;
+    var phi_904_: f32;
+    var phi_915_: f32;
+    var phi_970_: i32;
+    var phi_992_: u32;
+    var phi_993_: u32;
+    var phi_1030_: i32;
+    var phi_1052_: u32;
+    var phi_1053_: u32;
+    var phi_1061_: f32;
+    var phi_1062_: f32;
+    var phi_4174_: bool;
+    var phi_4102_: f32;
+    var phi_1204_: type_52;
+    var phi_1207_: u32;
+    var phi_1209_: bool;
+    var phi_1211_: u32;
+    var phi_1222_: bool;
+    var phi_1309_: type_52;
+    var phi_1310_: bool;
+    var phi_1311_: u32;
+    var phi_3129_: u32;
+    var phi_3130_: u32;
+    var phi_3140_: u32;
+    var phi_3142_: u32;
+    var phi_3143_: bool;
+    var phi_3163_: u32;
+    var phi_3164_: u32;
+    var phi_3168_: type_53;
+    var phi_3513_: type_52;
+    var phi_3590_: type_52;
+    var phi_3591_: type_52;
+    var phi_3592_: u32;
+    var phi_3594_: type_52;
+    var phi_3595_: u32;
+    var phi_3596_: bool;
+    var phi_3605_: type_52;
+    var phi_3610_: type_52;
+    var phi_3611_: bool;
+    var phi_4171_: bool;
+    var phi_4161_: f32;
+    var phi_1329_: type_4;
+    var phi_1330_: type_4;
+    var phi_1353_: type_4;
+    var phi_1374_: u32;
+    var phi_1463_: array<array<f32, 3>, 3>;
+    var phi_1581_: bool;
+    var phi_1610_: bool;
+    var phi_2011_: f32;
+    var phi_2012_: f32;
+    var phi_2013_: f32;
+    var phi_2014_: f32;
+    var phi_2015_: vec3<f32>;
+    var phi_2016_: vec3<f32>;
+    var phi_2017_: vec3<f32>;
+    var phi_2018_: vec3<f32>;
+    var phi_2049_: bool;
+    var phi_2058_: vec3<f32>;
+    var phi_2223_: f32;
+    var phi_2225_: f32;
+    var phi_2226_: bool;
+    var phi_2246_: f32;
+    var phi_2247_: f32;
+    var phi_2270_: type_21;
+    var phi_2272_: type_21;
+    var phi_2273_: bool;
+    var phi_2277_: type_21;
+    var phi_2278_: type_21;
+    var phi_2279_: type_21;
+    var phi_2280_: bool;
+    var phi_2284_: type_21;
+    var phi_2285_: bool;
+    var phi_2286_: type_21;
+    var phi_2287_: bool;
+    var phi_2288_: bool;
+    var phi_2289_: type_21;
+    var phi_2290_: bool;
+    var phi_2291_: bool;
+    var phi_2299_: type_21;
+    var phi_2300_: bool;
+    var phi_2304_: type_21;
+    var phi_2316_: type_4;
+    var phi_2319_: type_21;
+    var phi_2317_: type_4;
+    var phi_2342_: type_4;
+    var phi_2374_: bool;
+    var phi_2375_: bool;
+    var phi_2396_: type_21;
+    var phi_2320_: type_21;
+    var phi_4162_: bool;
+    var phi_4566_: f32;
+    var phi_4565_: f32;
+    var phi_4325_: bool;
+    var phi_4564_: f32;
+    var phi_4324_: bool;
+    var phi_4563_: f32;
+    var phi_4323_: bool;
+    var phi_4475_: f32;
+    var phi_4322_: bool;
+    var phi_4440_: f32;
+    var phi_4331_: bool;
+    var phi_3613_: type_52;
+    var phi_3614_: bool;
+    var phi_3615_: u32;
+    var phi_4439_: f32;
+    var phi_4330_: bool;
+    var phi_3616_: type_52;
+    var phi_3617_: u32;
+    var phi_3618_: bool;
+    var phi_3619_: u32;
+    var phi_4438_: f32;
+    var phi_4329_: bool;
+    var phi_3620_: type_52;
+    var phi_3621_: u32;
+    var phi_3622_: bool;
+    var phi_3623_: u32;
+    var phi_4437_: f32;
+    var phi_4328_: bool;
+    var phi_1205_: type_52;
+    var phi_1208_: u32;
+    var phi_1210_: bool;
+    var phi_1212_: u32;
+    var phi_3624_: bool;
+    var phi_4327_: bool;
+    var phi_3631_: type_4;
+    var phi_3632_: type_4;
+    var phi_3655_: type_4;
+    var phi_3707_: f32;
+    var phi_3709_: f32;
+    var phi_3710_: bool;
+    var phi_3711_: f32;
+    var phi_3712_: bool;
+    var phi_3999_: u32;
+    var phi_4017_: bool;
+    var phi_4020_: bool;
+    var phi_4033_: f32;
+    var phi_4034_: f32;
+    var phi_4039_: f32;
+    var phi_4040_: f32;
+    var phi_4041_: bool;
+    var phi_4049_: f32;
+    var phi_3727_: f32;
+    var phi_3728_: f32;
+    var phi_3740_: f32;
+    var phi_3745_: type_21;
+    var phi_4419_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e87 = global;
-            let _e89 = arrayLength((&global_5.member));
-            let _e91 = arrayLength((&global_2.member));
-            let _e99 = global_3.member[0u][0u];
-            let _e103 = global_3.member[0u][1u];
-            let _e107 = global_3.member[0u][2u];
-            let _e111 = global_3.member[0u][3u];
-            let _e115 = global_3.member[1u][0u];
-            let _e119 = global_3.member[1u][1u];
-            let _e123 = global_3.member[1u][2u];
-            let _e126 = global_1.member[0u];
-            let _e127 = bitcast<i32>(_e126);
-            let _e139 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e111) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e99), bitcast<i32>(_e103), bitcast<i32>(_e107));
-            local = array<i32, 3>(bitcast<i32>(_e115), bitcast<i32>(_e119), bitcast<i32>(_e123));
-            let _e145 = (_e87.x + (_e87.y * 2097152u));
-            let _e146 = (_e145 < arrayLength((&global_4.member)));
-            if _e146 {
-                let _e147 = (_e145 < arrayLength((&global_6.member)));
-                if _e147 {
-                    if _e146 {
+            let _e93 = global;
+            let _e95 = arrayLength((&global_5.member));
+            let _e97 = arrayLength((&global_2.member));
+            let _e105 = global_3.member[0u][0u];
+            let _e109 = global_3.member[0u][1u];
+            let _e113 = global_3.member[0u][2u];
+            let _e117 = global_3.member[0u][3u];
+            let _e121 = global_3.member[1u][0u];
+            let _e125 = global_3.member[1u][1u];
+            let _e129 = global_3.member[1u][2u];
+            let _e132 = global_1.member[0u];
+            let _e133 = bitcast<i32>(_e132);
+            let _e145 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e117) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e105), bitcast<i32>(_e109), bitcast<i32>(_e113));
+            local = array<i32, 3>(bitcast<i32>(_e121), bitcast<i32>(_e125), bitcast<i32>(_e129));
+            let _e151 = (_e93.x + (_e93.y * 2097152u));
+            let _e152 = (_e151 < arrayLength((&global_4.member)));
+            if _e152 {
+                let _e153 = (_e151 < arrayLength((&global_6.member)));
+                if _e153 {
+                    if _e152 {
                     } else {
                         break;
                     }
-                    let _e155 = global_4.member[_e145].member_2[0u];
-                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
-                    let _e162 = global_4.member[_e145].member_2[1u];
-                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
-                    let _e169 = global_4.member[_e145].member_2[2u];
-                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
-                    let _e176 = global_4.member[_e145].member[0u];
-                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
-                    let _e183 = global_4.member[_e145].member[1u];
-                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
-                    let _e190 = global_4.member[_e145].member[2u];
-                    let _e192 = (bitcast<u32>(_e190) & 2147483647u);
-                    let _e194 = select(_e164, _e157, (_e164 < _e157));
-                    let _e196 = select(_e171, _e194, (_e171 < _e194));
-                    let _e198 = select(_e178, _e196, (_e178 < _e196));
-                    let _e200 = select(_e185, _e198, (_e185 < _e198));
-                    let _e202 = select(_e192, _e200, (_e192 < _e200));
-                    let _e206 = global_4.member[_e145].member_1;
-                    let _e208 = (bitcast<u32>(_e206) & 2147483647u);
-                    let _e215 = global_4.member[_e145].member_3;
-                    let _e221 = (((select(_e208, _e202, (_e208 < _e202)) < 2139095040u) && ((bitcast<u32>(_e215) & 2147483647u) <= 2139095040u)) && (_e196 > 0u));
-                    if _e221 {
-                        let _e224 = (bitcast<u32>(bitcast<f32>(_e196)) & 2147483647u);
-                        if (_e224 >= 8388608u) {
-                            phi_390_ = (bitcast<i32>((_e224 >> bitcast<u32>(23i))) - 127i);
+                    let _e161 = global_4.member[_e151].member_2[0u];
+                    let _e163 = (bitcast<u32>(_e161) & 2147483647u);
+                    let _e168 = global_4.member[_e151].member_2[1u];
+                    let _e170 = (bitcast<u32>(_e168) & 2147483647u);
+                    let _e175 = global_4.member[_e151].member_2[2u];
+                    let _e177 = (bitcast<u32>(_e175) & 2147483647u);
+                    let _e182 = global_4.member[_e151].member[0u];
+                    let _e184 = (bitcast<u32>(_e182) & 2147483647u);
+                    let _e189 = global_4.member[_e151].member[1u];
+                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
+                    let _e196 = global_4.member[_e151].member[2u];
+                    let _e198 = (bitcast<u32>(_e196) & 2147483647u);
+                    let _e200 = select(_e170, _e163, (_e170 < _e163));
+                    let _e202 = select(_e177, _e200, (_e177 < _e200));
+                    let _e204 = select(_e184, _e202, (_e184 < _e202));
+                    let _e206 = select(_e191, _e204, (_e191 < _e204));
+                    let _e208 = select(_e198, _e206, (_e198 < _e206));
+                    let _e212 = global_4.member[_e151].member_1;
+                    let _e213 = bitcast<u32>(_e212);
+                    let _e214 = (_e213 & 2147483647u);
+                    let _e221 = global_4.member[_e151].member_3;
+                    let _e222 = bitcast<u32>(_e221);
+                    let _e223 = (_e222 & 2147483647u);
+                    let _e227 = (((select(_e214, _e208, (_e214 < _e208)) < 2139095040u) && (_e223 <= 2139095040u)) && (_e202 > 0u));
+                    if _e227 {
+                        let _e230 = (bitcast<u32>(bitcast<f32>(_e202)) & 2147483647u);
+                        if (_e230 >= 8388608u) {
+                            phi_473_ = (bitcast<i32>((_e230 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_390_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e224)), 32u, (_e224 == 0u))));
+                            phi_473_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e230)), 32u, (_e230 == 0u))));
                         }
-                        let _e238 = phi_390_;
-                        phi_391_ = _e238;
+                        let _e244 = phi_473_;
+                        phi_474_ = _e244;
                     } else {
-                        phi_391_ = 0i;
+                        phi_474_ = 0i;
                     }
-                    let _e240 = phi_391_;
-                    let _e241 = (_e157 == _e196);
-                    if _e241 {
-                        phi_401_ = true;
+                    let _e246 = phi_474_;
+                    let _e247 = (_e163 == _e202);
+                    if _e247 {
+                        phi_484_ = true;
                     } else {
-                        phi_401_ = (_e164 == _e196);
+                        phi_484_ = (_e170 == _e202);
                     }
-                    let _e244 = phi_401_;
-                    let _e245 = select(1u, 0u, _e241);
-                    if _e244 {
-                        let _e246 = (_e245 + 1u);
-                        phi_411_ = _e246;
-                        phi_412_ = _e246;
-                        phi_414_ = select(true, false, (_e246 == 2u));
+                    let _e250 = phi_484_;
+                    let _e251 = select(1u, 0u, _e247);
+                    if _e250 {
+                        let _e252 = (_e251 + 1u);
+                        phi_494_ = _e252;
+                        phi_495_ = _e252;
+                        phi_497_ = select(true, false, (_e252 == 2u));
                     } else {
-                        phi_411_ = u32();
-                        phi_412_ = 0u;
-                        phi_414_ = true;
+                        phi_494_ = u32();
+                        phi_495_ = 0u;
+                        phi_497_ = true;
                     }
-                    let _e250 = phi_411_;
-                    let _e252 = phi_412_;
-                    let _e254 = phi_414_;
-                    if _e254 {
-                        phi_419_ = (_e252 + 1u);
+                    let _e256 = phi_494_;
+                    let _e258 = phi_495_;
+                    let _e260 = phi_497_;
+                    if _e260 {
+                        phi_502_ = (_e258 + 1u);
                     } else {
-                        phi_419_ = 0u;
+                        phi_502_ = 0u;
                     }
-                    let _e258 = phi_419_;
-                    let _e259 = select(_e250, _e252, _e254);
-                    let _e260 = select(_e245, select(2u, _e245, _e244), _e254);
-                    if (_e127 < -126i) {
-                        phi_431_ = -126i;
+                    let _e264 = phi_502_;
+                    let _e265 = select(_e256, _e258, _e260);
+                    let _e266 = select(_e251, select(2u, _e251, _e250), _e260);
+                    if (_e133 < -126i) {
+                        phi_514_ = -126i;
                     } else {
-                        phi_431_ = select(_e127, 127i, (_e127 > 127i));
+                        phi_514_ = select(_e133, 127i, (_e133 > 127i));
                     }
-                    let _e265 = phi_431_;
-                    let _e270 = bitcast<f32>((bitcast<u32>((_e265 + 127i)) << bitcast<u32>(23i)));
-                    let _e276 = bitcast<f32>((bitcast<u32>(((_e127 - _e265) + 127i)) << bitcast<u32>(23i)));
-                    let _e277 = -(_e240);
-                    if (_e277 < -126i) {
-                        phi_451_ = -126i;
+                    let _e271 = phi_514_;
+                    let _e276 = bitcast<f32>((bitcast<u32>((_e271 + 127i)) << bitcast<u32>(23i)));
+                    let _e282 = bitcast<f32>((bitcast<u32>(((_e133 - _e271) + 127i)) << bitcast<u32>(23i)));
+                    let _e283 = -(_e246);
+                    if (_e283 < -126i) {
+                        phi_534_ = -126i;
                     } else {
-                        phi_451_ = select(_e277, 127i, (_e277 > 127i));
+                        phi_534_ = select(_e283, 127i, (_e283 > 127i));
                     }
-                    let _e282 = phi_451_;
-                    let _e287 = bitcast<f32>((bitcast<u32>((_e282 + 127i)) << bitcast<u32>(23i)));
-                    let _e293 = bitcast<f32>((bitcast<u32>(((_e277 - _e282) + 127i)) << bitcast<u32>(23i)));
-                    let _e297 = global_4.member[_e145].member;
-                    let _e298 = (_e259 == 0u);
-                    if _e298 {
-                        phi_469_ = _e297[0];
+                    let _e288 = phi_534_;
+                    let _e293 = bitcast<f32>((bitcast<u32>((_e288 + 127i)) << bitcast<u32>(23i)));
+                    let _e299 = bitcast<f32>((bitcast<u32>(((_e283 - _e288) + 127i)) << bitcast<u32>(23i)));
+                    let _e303 = global_4.member[_e151].member;
+                    let _e304 = (_e265 == 0u);
+                    if _e304 {
+                        phi_552_ = _e303[0];
                     } else {
-                        phi_469_ = _e297[1];
+                        phi_552_ = _e303[1];
                     }
-                    let _e302 = phi_469_;
-                    let _e303 = (_e259 == 2u);
-                    if _e303 {
-                        phi_475_ = _e297[2];
+                    let _e308 = phi_552_;
+                    let _e309 = (_e265 == 2u);
+                    if _e309 {
+                        phi_558_ = _e303[2];
                     } else {
-                        phi_475_ = _e302;
+                        phi_558_ = _e308;
                     }
-                    let _e306 = phi_475_;
-                    let _e308 = ((_e306 * _e270) * _e276);
-                    let _e309 = global_4.member[_e145].member_2;
-                    if _e298 {
-                        phi_486_ = _e309[0];
+                    let _e312 = phi_558_;
+                    let _e313 = bitcast<u32>(_e312);
+                    let _e315 = ((_e313 & 2139095040u) != 0u);
+                    let _e329 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e313 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e313 & 2147483648u))), _e312, _e315) * _e276) * select(0.00000011920929f, 1f, _e315)) * _e282);
+                    let _e330 = global_4.member[_e151].member_2;
+                    if _e304 {
+                        phi_598_ = _e330[0];
                     } else {
-                        phi_486_ = _e309[1];
+                        phi_598_ = _e330[1];
                     }
-                    let _e313 = phi_486_;
-                    if _e303 {
-                        phi_492_ = _e309[2];
+                    let _e334 = phi_598_;
+                    if _e309 {
+                        phi_604_ = _e330[2];
                     } else {
-                        phi_492_ = _e313;
+                        phi_604_ = _e334;
                     }
-                    let _e316 = phi_492_;
-                    let _e318 = ((_e316 * _e287) * _e293);
-                    let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e322 {
-                        let _e326 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) * 0.00000011920929f);
-                        phi_515_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                    let _e337 = phi_604_;
+                    let _e338 = bitcast<u32>(_e337);
+                    let _e340 = ((_e338 & 2139095040u) != 0u);
+                    let _e354 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e338 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e338 & 2147483648u))), _e337, _e340) * _e293) * select(0.00000011920929f, 1f, _e340)) * _e299);
+                    let _e358 = (bitcast<f32>((bitcast<u32>(_e354) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e358 {
+                        let _e362 = (bitcast<f32>((bitcast<u32>(_e329) & 2147483647u)) * 0.00000011920929f);
+                        phi_656_ = select(0.00000000000011368684f, _e362, (_e362 > 0.00000000000011368684f));
                     } else {
-                        phi_515_ = 0f;
+                        phi_656_ = 0f;
                     }
-                    let _e330 = phi_515_;
-                    let _e331 = (_e308 + _e330);
-                    let _e332 = (_e308 - _e330);
-                    let _e333 = select(_e318, 0f, _e322);
-                    if _e322 {
-                        phi_526_ = 38685626000000000000000000f;
+                    let _e366 = phi_656_;
+                    let _e367 = (_e329 + _e366);
+                    let _e368 = (_e329 - _e366);
+                    let _e369 = select(_e354, 0f, _e358);
+                    if _e358 {
+                        phi_667_ = 38685626000000000000000000f;
                     } else {
-                        phi_526_ = (1f / _e318);
+                        phi_667_ = (1f / _e354);
                     }
-                    let _e336 = phi_526_;
-                    let _e337 = (_e258 == 0u);
-                    if _e337 {
-                        phi_535_ = _e297[0];
+                    let _e372 = phi_667_;
+                    let _e373 = (_e264 == 0u);
+                    if _e373 {
+                        phi_676_ = _e303[0];
                     } else {
-                        phi_535_ = _e297[1];
+                        phi_676_ = _e303[1];
                     }
-                    let _e341 = phi_535_;
-                    let _e342 = (_e258 == 2u);
-                    if _e342 {
-                        phi_541_ = _e297[2];
+                    let _e377 = phi_676_;
+                    let _e378 = (_e264 == 2u);
+                    if _e378 {
+                        phi_682_ = _e303[2];
                     } else {
-                        phi_541_ = _e341;
+                        phi_682_ = _e377;
                     }
-                    let _e345 = phi_541_;
-                    let _e347 = ((_e345 * _e270) * _e276);
-                    if _e337 {
-                        phi_552_ = _e309[0];
+                    let _e381 = phi_682_;
+                    let _e382 = bitcast<u32>(_e381);
+                    let _e384 = ((_e382 & 2139095040u) != 0u);
+                    let _e398 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e382 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e382 & 2147483648u))), _e381, _e384) * _e276) * select(0.00000011920929f, 1f, _e384)) * _e282);
+                    if _e373 {
+                        phi_722_ = _e330[0];
                     } else {
-                        phi_552_ = _e309[1];
+                        phi_722_ = _e330[1];
                     }
-                    let _e351 = phi_552_;
-                    if _e342 {
-                        phi_558_ = _e309[2];
+                    let _e402 = phi_722_;
+                    if _e378 {
+                        phi_728_ = _e330[2];
                     } else {
-                        phi_558_ = _e351;
+                        phi_728_ = _e402;
                     }
-                    let _e354 = phi_558_;
-                    let _e356 = ((_e354 * _e287) * _e293);
-                    let _e360 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e360 {
-                        let _e364 = (bitcast<f32>((bitcast<u32>(_e347) & 2147483647u)) * 0.00000011920929f);
-                        phi_581_ = select(0.00000000000011368684f, _e364, (_e364 > 0.00000000000011368684f));
+                    let _e405 = phi_728_;
+                    let _e406 = bitcast<u32>(_e405);
+                    let _e408 = ((_e406 & 2139095040u) != 0u);
+                    let _e422 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e406 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e406 & 2147483648u))), _e405, _e408) * _e293) * select(0.00000011920929f, 1f, _e408)) * _e299);
+                    let _e426 = (bitcast<f32>((bitcast<u32>(_e422) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e426 {
+                        let _e430 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) * 0.00000011920929f);
+                        phi_780_ = select(0.00000000000011368684f, _e430, (_e430 > 0.00000000000011368684f));
                     } else {
-                        phi_581_ = 0f;
+                        phi_780_ = 0f;
                     }
-                    let _e368 = phi_581_;
-                    let _e369 = (_e347 + _e368);
-                    let _e370 = (_e347 - _e368);
-                    let _e371 = select(_e356, 0f, _e360);
-                    if _e360 {
-                        phi_592_ = 38685626000000000000000000f;
+                    let _e434 = phi_780_;
+                    let _e435 = (_e398 + _e434);
+                    let _e436 = (_e398 - _e434);
+                    let _e437 = select(_e422, 0f, _e426);
+                    if _e426 {
+                        phi_791_ = 38685626000000000000000000f;
                     } else {
-                        phi_592_ = (1f / _e356);
+                        phi_791_ = (1f / _e422);
                     }
-                    let _e374 = phi_592_;
-                    let _e375 = (_e260 == 0u);
-                    if _e375 {
-                        phi_601_ = _e297[0];
+                    let _e440 = phi_791_;
+                    let _e441 = (_e266 == 0u);
+                    if _e441 {
+                        phi_800_ = _e303[0];
                     } else {
-                        phi_601_ = _e297[1];
+                        phi_800_ = _e303[1];
                     }
-                    let _e379 = phi_601_;
-                    let _e380 = (_e260 == 2u);
-                    if _e380 {
-                        phi_607_ = _e297[2];
+                    let _e445 = phi_800_;
+                    let _e446 = (_e266 == 2u);
+                    if _e446 {
+                        phi_806_ = _e303[2];
                     } else {
-                        phi_607_ = _e379;
+                        phi_806_ = _e445;
                     }
-                    let _e383 = phi_607_;
-                    let _e385 = ((_e383 * _e270) * _e276);
-                    if _e375 {
-                        phi_618_ = _e309[0];
+                    let _e449 = phi_806_;
+                    let _e450 = bitcast<u32>(_e449);
+                    let _e452 = ((_e450 & 2139095040u) != 0u);
+                    let _e466 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e450 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e450 & 2147483648u))), _e449, _e452) * _e276) * select(0.00000011920929f, 1f, _e452)) * _e282);
+                    if _e441 {
+                        phi_846_ = _e330[0];
                     } else {
-                        phi_618_ = _e309[1];
+                        phi_846_ = _e330[1];
                     }
-                    let _e389 = phi_618_;
-                    if _e380 {
-                        phi_624_ = _e309[2];
+                    let _e470 = phi_846_;
+                    if _e446 {
+                        phi_852_ = _e330[2];
                     } else {
-                        phi_624_ = _e389;
+                        phi_852_ = _e470;
                     }
-                    let _e392 = phi_624_;
-                    let _e394 = ((_e392 * _e287) * _e293);
-                    let _e398 = (bitcast<f32>((bitcast<u32>(_e394) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e398 {
-                        let _e402 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) * 0.00000011920929f);
-                        phi_647_ = select(0.00000000000011368684f, _e402, (_e402 > 0.00000000000011368684f));
+                    let _e473 = phi_852_;
+                    let _e474 = bitcast<u32>(_e473);
+                    let _e476 = ((_e474 & 2139095040u) != 0u);
+                    let _e490 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e474 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e474 & 2147483648u))), _e473, _e476) * _e293) * select(0.00000011920929f, 1f, _e476)) * _e299);
+                    let _e494 = (bitcast<f32>((bitcast<u32>(_e490) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e494 {
+                        let _e498 = (bitcast<f32>((bitcast<u32>(_e466) & 2147483647u)) * 0.00000011920929f);
+                        phi_904_ = select(0.00000000000011368684f, _e498, (_e498 > 0.00000000000011368684f));
                     } else {
-                        phi_647_ = 0f;
+                        phi_904_ = 0f;
                     }
-                    let _e406 = phi_647_;
-                    let _e407 = (_e385 + _e406);
-                    let _e408 = (_e385 - _e406);
-                    let _e409 = select(_e394, 0f, _e398);
-                    if _e398 {
-                        phi_658_ = 38685626000000000000000000f;
+                    let _e502 = phi_904_;
+                    let _e503 = (_e466 + _e502);
+                    let _e504 = (_e466 - _e502);
+                    let _e505 = select(_e490, 0f, _e494);
+                    if _e494 {
+                        phi_915_ = 38685626000000000000000000f;
                     } else {
-                        phi_658_ = (1f / _e394);
+                        phi_915_ = (1f / _e490);
                     }
-                    let _e412 = phi_658_;
-                    let _e415 = bitcast<f32>((bitcast<u32>(_e308) & 2147483647u));
-                    let _e418 = bitcast<f32>((bitcast<u32>(_e347) & 2147483647u));
-                    let _e420 = select(_e418, _e415, (_e415 > _e418));
-                    let _e423 = bitcast<f32>((bitcast<u32>(_e385) & 2147483647u));
-                    let _e426 = (_e127 + _e240);
-                    if (_e221 && (select(_e423, _e420, (_e420 > _e423)) <= 1099511600000f)) {
-                        let _e429 = (_e426 / 3i);
-                        let _e436 = bitcast<f32>((bitcast<u32>((_e429 + 127i)) << bitcast<u32>(23i)));
-                        let _e443 = bitcast<f32>((bitcast<u32>(((_e426 - (2i * _e429)) + 127i)) << bitcast<u32>(23i)));
-                        let _e444 = (((_e206 * _e436) * _e436) * _e443);
-                        let _e446 = select(340282350000000000000000000000000000000f, _e444, (_e444 < 340282350000000000000000000000000000000f));
-                        let _e451 = (((_e215 * _e436) * _e436) * _e443);
-                        let _e453 = select(340282350000000000000000000000000000000f, _e451, (_e451 < 340282350000000000000000000000000000000f));
-                        phi_758_ = select(-340282350000000000000000000000000000000f, _e453, (_e453 > -340282350000000000000000000000000000000f));
-                        phi_759_ = select(-340282350000000000000000000000000000000f, _e446, (_e446 > -340282350000000000000000000000000000000f));
+                    let _e508 = phi_915_;
+                    let _e511 = bitcast<f32>((bitcast<u32>(_e329) & 2147483647u));
+                    let _e514 = bitcast<f32>((bitcast<u32>(_e398) & 2147483647u));
+                    let _e516 = select(_e514, _e511, (_e511 > _e514));
+                    let _e519 = bitcast<f32>((bitcast<u32>(_e466) & 2147483647u));
+                    let _e522 = (_e133 + _e246);
+                    if (_e227 && (select(_e519, _e516, (_e516 > _e519)) <= 1099511600000f)) {
+                        let _e532 = ((_e214 & 8388607u) | (select(0u, 1u, ((_e214 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e535 = bitcast<i32>((_e214 >> bitcast<u32>(23i)));
+                        let _e539 = (_e532 == 0u);
+                        let _e542 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e532)), 32u, _e539)) - 8i);
+                        if (_e535 == 255i) {
+                            phi_970_ = 255i;
+                        } else {
+                            phi_970_ = (((_e535 + select(0i, 1i, (_e535 == 0i))) - _e542) + _e522);
+                        }
+                        let _e550 = phi_970_;
+                        let _e560 = (_e550 <= 0i);
+                        if _e560 {
+                            phi_993_ = u32();
+                        } else {
+                            if _e539 {
+                                phi_992_ = u32();
+                            } else {
+                                phi_992_ = select(((bitcast<u32>(_e550) << bitcast<u32>(23i)) | ((_e532 << bitcast<u32>(((_e542 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e550 >= 255i));
+                            }
+                            let _e564 = phi_992_;
+                            phi_993_ = _e564;
+                        }
+                        let _e566 = phi_993_;
+                        let _e578 = ((_e223 & 8388607u) | (select(0u, 1u, ((_e223 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e581 = bitcast<i32>((_e223 >> bitcast<u32>(23i)));
+                        let _e585 = (_e578 == 0u);
+                        let _e588 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e578)), 32u, _e585)) - 8i);
+                        if (_e581 == 255i) {
+                            phi_1030_ = 255i;
+                        } else {
+                            phi_1030_ = (((_e581 + select(0i, 1i, (_e581 == 0i))) - _e588) + _e522);
+                        }
+                        let _e596 = phi_1030_;
+                        let _e606 = (_e596 <= 0i);
+                        if _e606 {
+                            phi_1053_ = u32();
+                        } else {
+                            if _e585 {
+                                phi_1052_ = u32();
+                            } else {
+                                phi_1052_ = select(((bitcast<u32>(_e596) << bitcast<u32>(23i)) | ((_e578 << bitcast<u32>(((_e588 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e596 >= 255i));
+                            }
+                            let _e610 = phi_1052_;
+                            phi_1053_ = _e610;
+                        }
+                        let _e612 = phi_1053_;
+                        phi_1061_ = bitcast<f32>(((_e222 & 2147483648u) | select(_e612, 0u, select(_e585, true, _e606))));
+                        phi_1062_ = bitcast<f32>(((_e213 & 2147483648u) | select(_e566, 0u, select(_e539, true, _e560))));
                     } else {
-                        phi_758_ = 0f;
-                        phi_759_ = 1f;
+                        phi_1061_ = 0f;
+                        phi_1062_ = 1f;
                     }
-                    let _e457 = phi_758_;
-                    let _e459 = phi_759_;
+                    let _e618 = phi_1061_;
+                    let _e620 = phi_1062_;
                     local_9 = array<type_21, 8>(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -509,1073 +586,1172 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e462 = (_e259 % 3u);
-                    let _e463 = (_e462 < 3u);
-                    if _e463 {
+                    let _e623 = (_e265 % 3u);
+                    let _e624 = (_e623 < 3u);
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e465 = local_1[_e462];
-                    let _e468 = (_e258 % 3u);
-                    let _e469 = (_e468 < 3u);
-                    if _e469 {
+                    let _e626 = local_1[_e623];
+                    let _e629 = (_e264 % 3u);
+                    let _e630 = (_e629 < 3u);
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e471 = local_1[_e468];
-                    let _e474 = (_e260 % 3u);
-                    let _e475 = (_e474 < 3u);
-                    if _e475 {
+                    let _e632 = local_1[_e629];
+                    let _e635 = (_e266 % 3u);
+                    let _e636 = (_e635 < 3u);
+                    if _e636 {
                     } else {
                         break;
                     }
-                    let _e477 = local_1[_e474];
-                    if _e463 {
+                    let _e638 = local_1[_e635];
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e482 = local[_e462];
-                    if _e469 {
+                    let _e643 = local[_e623];
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e486 = local[_e468];
-                    if _e475 {
+                    let _e647 = local[_e629];
+                    if _e636 {
                     } else {
                         break;
                     }
-                    let _e490 = local[_e474];
-                    phi_3765_ = false;
-                    phi_3693_ = _e457;
-                    phi_901_ = type_52(type_25(vec4<f32>((f32(_e465) * _e139), (f32(_e471) * _e139), (f32(_e477) * _e139), 0f), vec4<f32>((f32(_e482) * _e139), (f32(_e486) * _e139), (f32(_e490) * _e139), 0f)), select(0u, 2147483648u, (_e89 == 0u)));
-                    phi_904_ = ((3u * _e89) + 1u);
-                    phi_906_ = (_e459 <= _e457);
-                    phi_908_ = 0u;
+                    let _e651 = local[_e635];
+                    phi_4174_ = false;
+                    phi_4102_ = _e618;
+                    phi_1204_ = type_52(type_25(vec4<f32>((f32(_e626) * _e145), (f32(_e632) * _e145), (f32(_e638) * _e145), 0f), vec4<f32>((f32(_e643) * _e145), (f32(_e647) * _e145), (f32(_e651) * _e145), 0f)), select(0u, 2147483648u, (_e95 == 0u)));
+                    phi_1207_ = ((3u * _e95) + 1u);
+                    phi_1209_ = (_e620 <= _e618);
+                    phi_1211_ = 0u;
                     loop {
-                        let _e500 = phi_3765_;
-                        let _e502 = phi_3693_;
-                        let _e504 = phi_901_;
-                        let _e506 = phi_904_;
-                        let _e508 = phi_906_;
-                        let _e510 = phi_908_;
-                        if _e508 {
-                            phi_919_ = true;
+                        let _e661 = phi_4174_;
+                        let _e663 = phi_4102_;
+                        let _e665 = phi_1204_;
+                        let _e667 = phi_1207_;
+                        let _e669 = phi_1209_;
+                        let _e671 = phi_1211_;
+                        if _e669 {
+                            phi_1222_ = true;
                         } else {
-                            phi_919_ = (_e510 > 0u);
+                            phi_1222_ = (_e671 > 0u);
                         }
-                        let _e513 = phi_919_;
-                        if _e513 {
-                            let _e514 = (_e506 > 0u);
-                            if _e514 {
-                                if _e508 {
-                                    phi_1006_ = _e504;
-                                    phi_1007_ = _e508;
-                                    phi_1008_ = _e510;
+                        let _e674 = phi_1222_;
+                        if _e674 {
+                            let _e675 = (_e667 > 0u);
+                            if _e675 {
+                                if _e669 {
+                                    phi_1309_ = _e665;
+                                    phi_1310_ = _e669;
+                                    phi_1311_ = _e671;
                                 } else {
-                                    let _e515 = (_e510 - 1u);
-                                    let _e516 = (_e515 % 128u);
-                                    let _e517 = (_e516 < 128u);
-                                    if _e517 {
+                                    let _e676 = (_e671 - 1u);
+                                    let _e677 = (_e676 % 128u);
+                                    let _e678 = (_e677 < 128u);
+                                    if _e678 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e519 = local_7[_e516];
-                                    if _e517 {
+                                    let _e680 = local_7[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e521 = local_6[_e516];
-                                    if _e517 {
+                                    let _e682 = local_6[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e523 = local_5[_e516];
-                                    if _e517 {
+                                    let _e684 = local_5[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e525 = local_4[_e516];
-                                    if _e517 {
+                                    let _e686 = local_4[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e527 = local_3[_e516];
-                                    if _e517 {
+                                    let _e688 = local_3[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e529 = local_2[_e516];
-                                    if _e517 {
+                                    let _e690 = local_2[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e534 = local_8[_e516];
-                                    if _e517 {
+                                    let _e695 = local_8[_e677];
+                                    if _e678 {
                                     } else {
-                                        phi_3900_ = true;
+                                        phi_4327_ = true;
                                         break;
                                     }
-                                    let _e537 = local_10[_e516];
-                                    phi_1006_ = type_52(type_25(vec4<f32>(_e519, _e521, _e523, 0f), vec4<f32>(_e525, _e527, _e529, 0f)), _e534);
-                                    phi_1007_ = (_e537 <= _e502);
-                                    phi_1008_ = _e515;
+                                    let _e698 = local_10[_e677];
+                                    phi_1309_ = type_52(type_25(vec4<f32>(_e680, _e682, _e684, 0f), vec4<f32>(_e686, _e688, _e690, 0f)), _e695);
+                                    phi_1310_ = (_e698 <= _e663);
+                                    phi_1311_ = _e676;
                                 }
-                                let _e540 = phi_1006_;
-                                let _e542 = phi_1007_;
-                                let _e544 = phi_1008_;
-                                if _e542 {
-                                    if ((_e540.member_1 & 2147483648u) != 0u) {
-                                        phi_3762_ = _e500;
-                                        phi_3752_ = _e502;
-                                        phi_1026_ = type_4(0u, ((_e540.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e701 = phi_1309_;
+                                let _e703 = phi_1310_;
+                                let _e705 = phi_1311_;
+                                if _e703 {
+                                    if ((_e701.member_1 & 2147483648u) != 0u) {
+                                        phi_4171_ = _e661;
+                                        phi_4161_ = _e663;
+                                        phi_1329_ = type_4(0u, ((_e701.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1005 = phi_3762_;
-                                            let _e1007 = phi_3752_;
-                                            let _e1009 = phi_1026_;
-                                            if (_e1009.member < _e1009.member_1) {
-                                                phi_1027_ = type_4((_e1009.member + 1u), _e1009.member_1);
-                                                phi_1050_ = type_4(1u, _e1009.member);
+                                            let _e1172 = phi_4171_;
+                                            let _e1174 = phi_4161_;
+                                            let _e1176 = phi_1329_;
+                                            if (_e1176.member < _e1176.member_1) {
+                                                phi_1330_ = type_4((_e1176.member + 1u), _e1176.member_1);
+                                                phi_1353_ = type_4(1u, _e1176.member);
                                             } else {
-                                                phi_1027_ = _e1009;
-                                                phi_1050_ = type_4(0u, type_4().member_1);
+                                                phi_1330_ = _e1176;
+                                                phi_1353_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1022 = phi_1027_;
-                                            let _e1024 = phi_1050_;
-                                            let _e1028 = (bitcast<i32>(_e1024.member) != 0i);
-                                            if _e1028 {
-                                                let _e1029 = ((_e540.member_1 & 268435455u) + _e1024.member_1);
-                                                let _e1030 = (_e1029 < _e91);
-                                                if _e1030 {
-                                                    if _e1030 {
+                                            let _e1189 = phi_1330_;
+                                            let _e1191 = phi_1353_;
+                                            let _e1195 = (bitcast<i32>(_e1191.member) != 0i);
+                                            if _e1195 {
+                                                let _e1196 = ((_e701.member_1 & 268435455u) + _e1191.member_1);
+                                                let _e1197 = (_e1196 < _e97);
+                                                if _e1197 {
+                                                    if _e1197 {
                                                     } else {
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1034 = global_2.member[_e1029].member_1;
-                                                    phi_1071_ = _e1034;
+                                                    let _e1201 = global_2.member[_e1196].member_1;
+                                                    phi_1374_ = _e1201;
                                                 } else {
-                                                    phi_1071_ = 4294967295u;
+                                                    phi_1374_ = 4294967295u;
                                                 }
-                                                let _e1036 = phi_1071_;
-                                                if (_e1029 >= _e91) {
-                                                    phi_1160_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1203 = phi_1374_;
+                                                if (_e1196 >= _e97) {
+                                                    phi_1463_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1030 {
+                                                    if _e1197 {
                                                     } else {
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    if (_e462 < 9u) {
+                                                    if (_e623 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1043 = global_2.member[_e1029].member[_e462];
-                                                    if (_e468 < 9u) {
+                                                    let _e1210 = global_2.member[_e1196].member[_e623];
+                                                    if (_e629 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1049 = global_2.member[_e1029].member[_e468];
-                                                    if (_e474 < 9u) {
+                                                    let _e1216 = global_2.member[_e1196].member[_e629];
+                                                    if (_e635 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1055 = global_2.member[_e1029].member[_e474];
-                                                    let _e1057 = (3u + _e462);
-                                                    if (_e1057 < 9u) {
+                                                    let _e1222 = global_2.member[_e1196].member[_e635];
+                                                    let _e1224 = (3u + _e623);
+                                                    if (_e1224 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1063 = global_2.member[_e1029].member[_e1057];
-                                                    let _e1064 = (3u + _e468);
-                                                    if (_e1064 < 9u) {
+                                                    let _e1230 = global_2.member[_e1196].member[_e1224];
+                                                    let _e1231 = (3u + _e629);
+                                                    if (_e1231 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1070 = global_2.member[_e1029].member[_e1064];
-                                                    let _e1071 = (3u + _e474);
-                                                    if (_e1071 < 9u) {
+                                                    let _e1237 = global_2.member[_e1196].member[_e1231];
+                                                    let _e1238 = (3u + _e635);
+                                                    if (_e1238 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1077 = global_2.member[_e1029].member[_e1071];
-                                                    let _e1079 = (6u + _e462);
-                                                    if (_e1079 < 9u) {
+                                                    let _e1244 = global_2.member[_e1196].member[_e1238];
+                                                    let _e1246 = (6u + _e623);
+                                                    if (_e1246 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1085 = global_2.member[_e1029].member[_e1079];
-                                                    let _e1086 = (6u + _e468);
-                                                    if (_e1086 < 9u) {
+                                                    let _e1252 = global_2.member[_e1196].member[_e1246];
+                                                    let _e1253 = (6u + _e629);
+                                                    if (_e1253 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1092 = global_2.member[_e1029].member[_e1086];
-                                                    let _e1093 = (6u + _e474);
-                                                    if (_e1093 < 9u) {
+                                                    let _e1259 = global_2.member[_e1196].member[_e1253];
+                                                    let _e1260 = (6u + _e635);
+                                                    if (_e1260 < 9u) {
                                                     } else {
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = true;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = true;
                                                         break;
                                                     }
-                                                    let _e1099 = global_2.member[_e1029].member[_e1093];
-                                                    phi_1160_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1043, _e1049, _e1055), array<f32, 3>(_e1063, _e1070, _e1077), array<f32, 3>(_e1085, _e1092, _e1099));
+                                                    let _e1266 = global_2.member[_e1196].member[_e1260];
+                                                    phi_1463_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1210, _e1216, _e1222), array<f32, 3>(_e1230, _e1237, _e1244), array<f32, 3>(_e1252, _e1259, _e1266));
                                                 }
-                                                let _e1103 = phi_1160_;
-                                                let _e1110 = (_e1103[0][2] - _e385);
-                                                let _e1113 = (((_e1103[0][0] - _e308) * _e409) - (_e1110 * _e333));
-                                                let _e1116 = (((_e1103[0][1] - _e347) * _e409) - (_e1110 * _e371));
-                                                let _e1123 = (_e1103[1][2] - _e385);
-                                                let _e1126 = (((_e1103[1][0] - _e308) * _e409) - (_e1123 * _e333));
-                                                let _e1129 = (((_e1103[1][1] - _e347) * _e409) - (_e1123 * _e371));
-                                                let _e1136 = (_e1103[2][2] - _e385);
-                                                let _e1139 = (((_e1103[2][0] - _e308) * _e409) - (_e1136 * _e333));
-                                                let _e1142 = (((_e1103[2][1] - _e347) * _e409) - (_e1136 * _e371));
-                                                let _e1143 = (_e1139 * _e1129);
-                                                let _e1144 = (_e1142 * _e1126);
-                                                let _e1145 = (_e1113 * _e1142);
-                                                let _e1146 = (_e1116 * _e1139);
-                                                let _e1147 = (_e1126 * _e1116);
-                                                let _e1148 = (_e1129 * _e1113);
-                                                let _e1153 = (((_e1143 >= _e1144) && (_e1145 >= _e1146)) && (_e1147 >= _e1148));
-                                                if (_e1153 || (((_e1143 <= _e1144) && (_e1145 <= _e1146)) && (_e1147 <= _e1148))) {
-                                                    let _e1160 = select(-1f, 1f, _e1153);
-                                                    let _e1162 = ((_e1143 - _e1144) * _e1160);
-                                                    let _e1164 = select(0f, _e1162, (_e1162 > 0f));
-                                                    let _e1166 = ((_e1145 - _e1146) * _e1160);
-                                                    let _e1168 = select(0f, _e1166, (_e1166 > 0f));
-                                                    let _e1170 = ((_e1147 - _e1148) * _e1160);
-                                                    let _e1172 = select(0f, _e1170, (_e1170 > 0f));
-                                                    let _e1174 = ((_e1164 + _e1168) + _e1172);
-                                                    if (_e1174 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1986_ = type_21();
-                                                        phi_1987_ = true;
-                                                        phi_1988_ = false;
+                                                let _e1270 = phi_1463_;
+                                                let _e1277 = (_e1270[0][2] - _e466);
+                                                let _e1280 = (((_e1270[0][0] - _e329) * _e505) - (_e1277 * _e369));
+                                                let _e1283 = (((_e1270[0][1] - _e398) * _e505) - (_e1277 * _e437));
+                                                let _e1290 = (_e1270[1][2] - _e466);
+                                                let _e1293 = (((_e1270[1][0] - _e329) * _e505) - (_e1290 * _e369));
+                                                let _e1296 = (((_e1270[1][1] - _e398) * _e505) - (_e1290 * _e437));
+                                                let _e1303 = (_e1270[2][2] - _e466);
+                                                let _e1306 = (((_e1270[2][0] - _e329) * _e505) - (_e1303 * _e369));
+                                                let _e1309 = (((_e1270[2][1] - _e398) * _e505) - (_e1303 * _e437));
+                                                let _e1310 = (_e1306 * _e1296);
+                                                let _e1311 = (_e1309 * _e1293);
+                                                let _e1312 = (_e1280 * _e1309);
+                                                let _e1313 = (_e1283 * _e1306);
+                                                let _e1314 = (_e1293 * _e1283);
+                                                let _e1315 = (_e1296 * _e1280);
+                                                let _e1320 = (((_e1310 >= _e1311) && (_e1312 >= _e1313)) && (_e1314 >= _e1315));
+                                                if (_e1320 || (((_e1310 <= _e1311) && (_e1312 <= _e1313)) && (_e1314 <= _e1315))) {
+                                                    let _e1327 = select(-1f, 1f, _e1320);
+                                                    let _e1329 = ((_e1310 - _e1311) * _e1327);
+                                                    let _e1331 = select(0f, _e1329, (_e1329 > 0f));
+                                                    let _e1333 = ((_e1312 - _e1313) * _e1327);
+                                                    let _e1335 = select(0f, _e1333, (_e1333 > 0f));
+                                                    let _e1337 = ((_e1314 - _e1315) * _e1327);
+                                                    let _e1339 = select(0f, _e1337, (_e1337 > 0f));
+                                                    let _e1341 = ((_e1331 + _e1335) + _e1339);
+                                                    if (_e1341 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2289_ = type_21();
+                                                        phi_2290_ = true;
+                                                        phi_2291_ = false;
                                                     } else {
-                                                        let _e1177 = select(_e1126, _e1113, (_e1113 < _e1126));
-                                                        if (select(_e1139, _e1177, (_e1177 < _e1139)) > 0f) {
-                                                            phi_1278_ = true;
+                                                        let _e1344 = select(_e1293, _e1280, (_e1280 < _e1293));
+                                                        if (select(_e1306, _e1344, (_e1344 < _e1306)) > 0f) {
+                                                            phi_1581_ = true;
                                                         } else {
-                                                            let _e1182 = select(_e1126, _e1113, (_e1113 > _e1126));
-                                                            phi_1278_ = (select(_e1139, _e1182, (_e1182 > _e1139)) < 0f);
+                                                            let _e1349 = select(_e1293, _e1280, (_e1280 > _e1293));
+                                                            phi_1581_ = (select(_e1306, _e1349, (_e1349 > _e1306)) < 0f);
                                                         }
-                                                        let _e1187 = phi_1278_;
-                                                        if _e1187 {
-                                                            phi_1983_ = type_21();
-                                                            phi_1984_ = true;
-                                                            phi_1985_ = false;
+                                                        let _e1354 = phi_1581_;
+                                                        if _e1354 {
+                                                            phi_2286_ = type_21();
+                                                            phi_2287_ = true;
+                                                            phi_2288_ = false;
                                                         } else {
-                                                            let _e1189 = select(_e1129, _e1116, (_e1116 < _e1129));
-                                                            if (select(_e1142, _e1189, (_e1189 < _e1142)) > 0f) {
-                                                                phi_1307_ = true;
+                                                            let _e1356 = select(_e1296, _e1283, (_e1283 < _e1296));
+                                                            if (select(_e1309, _e1356, (_e1356 < _e1309)) > 0f) {
+                                                                phi_1610_ = true;
                                                             } else {
-                                                                let _e1194 = select(_e1129, _e1116, (_e1116 > _e1129));
-                                                                phi_1307_ = (select(_e1142, _e1194, (_e1194 > _e1142)) < 0f);
+                                                                let _e1361 = select(_e1296, _e1283, (_e1283 > _e1296));
+                                                                phi_1610_ = (select(_e1309, _e1361, (_e1361 > _e1309)) < 0f);
                                                             }
-                                                            let _e1199 = phi_1307_;
-                                                            if _e1199 {
-                                                                phi_1981_ = type_21();
-                                                                phi_1982_ = false;
+                                                            let _e1366 = phi_1610_;
+                                                            if _e1366 {
+                                                                phi_2284_ = type_21();
+                                                                phi_2285_ = false;
                                                             } else {
-                                                                let _e1201 = select(_e1103[1][0], _e1103[0][0], (_e1103[0][0] < _e1103[1][0]));
-                                                                let _e1205 = select(_e1103[1][0], _e1103[0][0], (_e1103[0][0] > _e1103[1][0]));
-                                                                let _e1209 = select(_e1103[1][1], _e1103[0][1], (_e1103[0][1] < _e1103[1][1]));
-                                                                let _e1213 = select(_e1103[1][1], _e1103[0][1], (_e1103[0][1] > _e1103[1][1]));
-                                                                let _e1217 = select(_e1103[1][2], _e1103[0][2], (_e1103[0][2] < _e1103[1][2]));
-                                                                let _e1221 = select(_e1103[1][2], _e1103[0][2], (_e1103[0][2] > _e1103[1][2]));
-                                                                let _e1226 = ((select(_e1103[2][0], _e1201, (_e1201 < _e1103[2][0])) - _e331) * _e336);
-                                                                let _e1227 = ((select(_e1103[2][0], _e1205, (_e1205 > _e1103[2][0])) - _e332) * _e336);
-                                                                let _e1230 = ((select(_e1103[2][1], _e1209, (_e1209 < _e1103[2][1])) - _e369) * _e374);
-                                                                let _e1231 = ((select(_e1103[2][1], _e1213, (_e1213 > _e1103[2][1])) - _e370) * _e374);
-                                                                let _e1234 = ((select(_e1103[2][2], _e1217, (_e1217 < _e1103[2][2])) - _e407) * _e412);
-                                                                let _e1235 = ((select(_e1103[2][2], _e1221, (_e1221 > _e1103[2][2])) - _e408) * _e412);
-                                                                let _e1237 = select(_e1235, _e1234, (_e1234 < _e1235));
-                                                                let _e1239 = select(_e1235, _e1234, (_e1234 > _e1235));
-                                                                let _e1241 = select(_e1227, _e1226, (_e1226 < _e1227));
-                                                                let _e1243 = select(_e1231, _e1230, (_e1230 < _e1231));
-                                                                let _e1245 = select(_e1243, _e1241, (_e1241 > _e1243));
-                                                                let _e1247 = select(_e1237, _e1245, (_e1245 > _e1237));
-                                                                let _e1249 = select(_e1227, _e1226, (_e1226 > _e1227));
-                                                                let _e1251 = select(_e1231, _e1230, (_e1230 > _e1231));
-                                                                let _e1253 = select(_e1251, _e1249, (_e1249 < _e1251));
-                                                                let _e1255 = select(_e1239, _e1253, (_e1253 < _e1239));
-                                                                let _e1256 = -(_e1237);
-                                                                let _e1262 = select(_e459, _e1247, (_e1247 > _e459));
-                                                                if (_e1262 > (_e1255 + (select(_e1256, _e1239, (_e1239 > _e1256)) * 0.0000019073523f))) {
-                                                                    phi_1976_ = type_21();
-                                                                    phi_1977_ = true;
+                                                                let _e1368 = select(_e1270[1][0], _e1270[0][0], (_e1270[0][0] < _e1270[1][0]));
+                                                                let _e1372 = select(_e1270[1][0], _e1270[0][0], (_e1270[0][0] > _e1270[1][0]));
+                                                                let _e1376 = select(_e1270[1][1], _e1270[0][1], (_e1270[0][1] < _e1270[1][1]));
+                                                                let _e1380 = select(_e1270[1][1], _e1270[0][1], (_e1270[0][1] > _e1270[1][1]));
+                                                                let _e1384 = select(_e1270[1][2], _e1270[0][2], (_e1270[0][2] < _e1270[1][2]));
+                                                                let _e1388 = select(_e1270[1][2], _e1270[0][2], (_e1270[0][2] > _e1270[1][2]));
+                                                                let _e1393 = ((select(_e1270[2][0], _e1368, (_e1368 < _e1270[2][0])) - _e367) * _e372);
+                                                                let _e1394 = ((select(_e1270[2][0], _e1372, (_e1372 > _e1270[2][0])) - _e368) * _e372);
+                                                                let _e1397 = ((select(_e1270[2][1], _e1376, (_e1376 < _e1270[2][1])) - _e435) * _e440);
+                                                                let _e1398 = ((select(_e1270[2][1], _e1380, (_e1380 > _e1270[2][1])) - _e436) * _e440);
+                                                                let _e1401 = ((select(_e1270[2][2], _e1384, (_e1384 < _e1270[2][2])) - _e503) * _e508);
+                                                                let _e1402 = ((select(_e1270[2][2], _e1388, (_e1388 > _e1270[2][2])) - _e504) * _e508);
+                                                                let _e1404 = select(_e1402, _e1401, (_e1401 < _e1402));
+                                                                let _e1406 = select(_e1402, _e1401, (_e1401 > _e1402));
+                                                                let _e1408 = select(_e1394, _e1393, (_e1393 < _e1394));
+                                                                let _e1410 = select(_e1398, _e1397, (_e1397 < _e1398));
+                                                                let _e1412 = select(_e1410, _e1408, (_e1408 > _e1410));
+                                                                let _e1414 = select(_e1404, _e1412, (_e1412 > _e1404));
+                                                                let _e1416 = select(_e1394, _e1393, (_e1393 > _e1394));
+                                                                let _e1418 = select(_e1398, _e1397, (_e1397 > _e1398));
+                                                                let _e1420 = select(_e1418, _e1416, (_e1416 < _e1418));
+                                                                let _e1422 = select(_e1406, _e1420, (_e1420 < _e1406));
+                                                                let _e1423 = -(_e1404);
+                                                                let _e1429 = select(_e620, _e1414, (_e1414 > _e620));
+                                                                if (_e1429 > (_e1422 + (select(_e1423, _e1406, (_e1406 > _e1423)) * 0.0000019073523f))) {
+                                                                    phi_2279_ = type_21();
+                                                                    phi_2280_ = true;
                                                                 } else {
-                                                                    let _e1264 = (_e1262 > _e1007);
-                                                                    if _e1264 {
-                                                                        phi_1975_ = type_21();
+                                                                    let _e1431 = (_e1429 > _e1174);
+                                                                    if _e1431 {
+                                                                        phi_2278_ = type_21();
                                                                     } else {
-                                                                        let _e1265 = vec3<f32>(_e1103[0][0], _e1103[0][1], _e1103[0][2]);
-                                                                        let _e1266 = vec3<f32>(_e1103[1][0], _e1103[1][1], _e1103[1][2]);
-                                                                        let _e1267 = vec3<f32>(_e1103[2][0], _e1103[2][1], _e1103[2][2]);
-                                                                        let _e1268 = (_e1103[1][0] - _e1103[0][0]);
-                                                                        let _e1269 = (_e1103[1][1] - _e1103[0][1]);
-                                                                        let _e1270 = (_e1103[1][2] - _e1103[0][2]);
-                                                                        let _e1271 = vec3<f32>(_e1268, _e1269, _e1270);
-                                                                        let _e1272 = (_e1103[2][0] - _e1103[1][0]);
-                                                                        let _e1273 = (_e1103[2][1] - _e1103[1][1]);
-                                                                        let _e1274 = (_e1103[2][2] - _e1103[1][2]);
-                                                                        let _e1275 = vec3<f32>(_e1272, _e1273, _e1274);
-                                                                        let _e1276 = (_e1103[0][0] - _e1103[2][0]);
-                                                                        let _e1277 = (_e1103[0][1] - _e1103[2][1]);
-                                                                        let _e1278 = (_e1103[0][2] - _e1103[2][2]);
-                                                                        let _e1279 = vec3<f32>(_e1276, _e1277, _e1278);
-                                                                        let _e1282 = bitcast<f32>((bitcast<u32>(_e1268) & 2147483647u));
-                                                                        let _e1285 = bitcast<f32>((bitcast<u32>(_e1269) & 2147483647u));
-                                                                        let _e1287 = select(_e1285, _e1282, (_e1282 > _e1285));
-                                                                        let _e1290 = bitcast<f32>((bitcast<u32>(_e1270) & 2147483647u));
-                                                                        let _e1292 = select(_e1290, _e1287, (_e1287 > _e1290));
-                                                                        let _e1295 = bitcast<f32>((bitcast<u32>(_e1272) & 2147483647u));
-                                                                        let _e1298 = bitcast<f32>((bitcast<u32>(_e1273) & 2147483647u));
-                                                                        let _e1300 = select(_e1298, _e1295, (_e1295 > _e1298));
-                                                                        let _e1303 = bitcast<f32>((bitcast<u32>(_e1274) & 2147483647u));
-                                                                        let _e1305 = select(_e1303, _e1300, (_e1300 > _e1303));
-                                                                        let _e1308 = bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u));
-                                                                        let _e1311 = bitcast<f32>((bitcast<u32>(_e1277) & 2147483647u));
-                                                                        let _e1313 = select(_e1311, _e1308, (_e1308 > _e1311));
-                                                                        let _e1316 = bitcast<f32>((bitcast<u32>(_e1278) & 2147483647u));
-                                                                        let _e1318 = select(_e1316, _e1313, (_e1313 > _e1316));
-                                                                        let _e1320 = select(_e1305, _e1292, (_e1292 > _e1305));
-                                                                        let _e1322 = select(_e1318, _e1320, (_e1320 > _e1318));
-                                                                        if (_e1292 == _e1322) {
-                                                                            phi_1708_ = _e1129;
-                                                                            phi_1709_ = _e1126;
-                                                                            phi_1710_ = _e1116;
-                                                                            phi_1711_ = _e1113;
-                                                                            phi_1712_ = _e1265;
-                                                                            phi_1713_ = _e1279;
-                                                                            phi_1714_ = _e1275;
-                                                                            phi_1715_ = _e1271;
+                                                                        let _e1432 = vec3<f32>(_e1270[0][0], _e1270[0][1], _e1270[0][2]);
+                                                                        let _e1433 = vec3<f32>(_e1270[1][0], _e1270[1][1], _e1270[1][2]);
+                                                                        let _e1434 = vec3<f32>(_e1270[2][0], _e1270[2][1], _e1270[2][2]);
+                                                                        let _e1435 = (_e1270[1][0] - _e1270[0][0]);
+                                                                        let _e1436 = (_e1270[1][1] - _e1270[0][1]);
+                                                                        let _e1437 = (_e1270[1][2] - _e1270[0][2]);
+                                                                        let _e1438 = vec3<f32>(_e1435, _e1436, _e1437);
+                                                                        let _e1439 = (_e1270[2][0] - _e1270[1][0]);
+                                                                        let _e1440 = (_e1270[2][1] - _e1270[1][1]);
+                                                                        let _e1441 = (_e1270[2][2] - _e1270[1][2]);
+                                                                        let _e1442 = vec3<f32>(_e1439, _e1440, _e1441);
+                                                                        let _e1443 = (_e1270[0][0] - _e1270[2][0]);
+                                                                        let _e1444 = (_e1270[0][1] - _e1270[2][1]);
+                                                                        let _e1445 = (_e1270[0][2] - _e1270[2][2]);
+                                                                        let _e1446 = vec3<f32>(_e1443, _e1444, _e1445);
+                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
+                                                                        let _e1452 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
+                                                                        let _e1454 = select(_e1452, _e1449, (_e1449 > _e1452));
+                                                                        let _e1457 = bitcast<f32>((bitcast<u32>(_e1437) & 2147483647u));
+                                                                        let _e1459 = select(_e1457, _e1454, (_e1454 > _e1457));
+                                                                        let _e1462 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
+                                                                        let _e1465 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
+                                                                        let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
+                                                                        let _e1470 = bitcast<f32>((bitcast<u32>(_e1441) & 2147483647u));
+                                                                        let _e1472 = select(_e1470, _e1467, (_e1467 > _e1470));
+                                                                        let _e1475 = bitcast<f32>((bitcast<u32>(_e1443) & 2147483647u));
+                                                                        let _e1478 = bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u));
+                                                                        let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
+                                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1445) & 2147483647u));
+                                                                        let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
+                                                                        let _e1487 = select(_e1472, _e1459, (_e1459 > _e1472));
+                                                                        let _e1489 = select(_e1485, _e1487, (_e1487 > _e1485));
+                                                                        if (_e1459 == _e1489) {
+                                                                            phi_2011_ = _e1296;
+                                                                            phi_2012_ = _e1293;
+                                                                            phi_2013_ = _e1283;
+                                                                            phi_2014_ = _e1280;
+                                                                            phi_2015_ = _e1432;
+                                                                            phi_2016_ = _e1446;
+                                                                            phi_2017_ = _e1442;
+                                                                            phi_2018_ = _e1438;
                                                                         } else {
-                                                                            let _e1324 = (_e1305 == _e1322);
-                                                                            let _e1329 = vec3(_e1324);
-                                                                            phi_1708_ = select(_e1116, _e1142, _e1324);
-                                                                            phi_1709_ = select(_e1113, _e1139, _e1324);
-                                                                            phi_1710_ = select(_e1142, _e1129, _e1324);
-                                                                            phi_1711_ = select(_e1139, _e1126, _e1324);
-                                                                            phi_1712_ = select(_e1267, _e1266, _e1329);
-                                                                            phi_1713_ = select(_e1275, _e1271, _e1329);
-                                                                            phi_1714_ = select(_e1271, _e1279, _e1329);
-                                                                            phi_1715_ = select(_e1279, _e1275, _e1329);
+                                                                            let _e1491 = (_e1472 == _e1489);
+                                                                            let _e1496 = vec3(_e1491);
+                                                                            phi_2011_ = select(_e1283, _e1309, _e1491);
+                                                                            phi_2012_ = select(_e1280, _e1306, _e1491);
+                                                                            phi_2013_ = select(_e1309, _e1296, _e1491);
+                                                                            phi_2014_ = select(_e1306, _e1293, _e1491);
+                                                                            phi_2015_ = select(_e1434, _e1433, _e1496);
+                                                                            phi_2016_ = select(_e1442, _e1438, _e1496);
+                                                                            phi_2017_ = select(_e1438, _e1446, _e1496);
+                                                                            phi_2018_ = select(_e1446, _e1442, _e1496);
                                                                         }
-                                                                        let _e1335 = phi_1708_;
-                                                                        let _e1337 = phi_1709_;
-                                                                        let _e1339 = phi_1710_;
-                                                                        let _e1341 = phi_1711_;
-                                                                        let _e1343 = phi_1712_;
-                                                                        let _e1345 = phi_1713_;
-                                                                        let _e1347 = phi_1714_;
-                                                                        let _e1349 = phi_1715_;
-                                                                        let _e1356 = ((_e1347.y * _e1345.z) - (_e1345.y * _e1347.z));
-                                                                        let _e1361 = ((_e1347.z * _e1345.x) - (_e1345.z * _e1347.x));
-                                                                        let _e1364 = ((_e1347.x * _e1345.y) - (_e1345.x * _e1347.y));
-                                                                        if (_e1164 >= _e1168) {
-                                                                            phi_1746_ = select(true, false, (_e1164 >= _e1172));
+                                                                        let _e1502 = phi_2011_;
+                                                                        let _e1504 = phi_2012_;
+                                                                        let _e1506 = phi_2013_;
+                                                                        let _e1508 = phi_2014_;
+                                                                        let _e1510 = phi_2015_;
+                                                                        let _e1512 = phi_2016_;
+                                                                        let _e1514 = phi_2017_;
+                                                                        let _e1516 = phi_2018_;
+                                                                        let _e1523 = ((_e1514.y * _e1512.z) - (_e1512.y * _e1514.z));
+                                                                        let _e1528 = ((_e1514.z * _e1512.x) - (_e1512.z * _e1514.x));
+                                                                        let _e1531 = ((_e1514.x * _e1512.y) - (_e1512.x * _e1514.y));
+                                                                        if (_e1331 >= _e1335) {
+                                                                            phi_2049_ = select(true, false, (_e1331 >= _e1339));
                                                                         } else {
-                                                                            phi_1746_ = true;
+                                                                            phi_2049_ = true;
                                                                         }
-                                                                        let _e1369 = phi_1746_;
-                                                                        if _e1369 {
-                                                                            phi_1755_ = select(_e1267, _e1266, vec3((_e1168 >= _e1172)));
+                                                                        let _e1536 = phi_2049_;
+                                                                        if _e1536 {
+                                                                            phi_2058_ = select(_e1434, _e1433, vec3((_e1335 >= _e1339)));
                                                                         } else {
-                                                                            phi_1755_ = _e1265;
+                                                                            phi_2058_ = _e1432;
                                                                         }
-                                                                        let _e1374 = phi_1755_;
-                                                                        let _e1385 = (((_e1356 * (_e1374.x - _e308)) + (_e1361 * (_e1374.y - _e347))) + (_e1364 * (_e1374.z - _e385)));
-                                                                        let _e1390 = (((_e1356 * _e333) + (_e1361 * _e371)) + (_e1364 * _e409));
-                                                                        let _e1391 = (_e1337 - _e1341);
-                                                                        let _e1392 = (_e1335 - _e1339);
-                                                                        let _e1400 = (-(((_e1341 * _e1391) + (_e1339 * _e1392))) / ((_e1391 * _e1391) + (_e1392 * _e1392)));
-                                                                        let _e1402 = select(1f, _e1400, (_e1400 < 1f));
-                                                                        let _e1404 = select(0f, _e1402, (_e1402 > 0f));
-                                                                        let _e1417 = ((_e1343.x + (_e1349.x * _e1404)) - _e308);
-                                                                        let _e1418 = ((_e1343.y + (_e1349.y * _e1404)) - _e347);
-                                                                        let _e1419 = ((_e1343.z + (_e1349.z * _e1404)) - _e385);
-                                                                        let _e1420 = (_e1419 / _e409);
-                                                                        let _e1432 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
-                                                                        let _e1435 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
-                                                                        let _e1437 = select(_e1435, _e1432, (_e1432 > _e1435));
-                                                                        let _e1440 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
-                                                                        let _e1442 = select(_e1440, _e1437, (_e1437 > _e1440));
-                                                                        let _e1448 = bitcast<f32>((bitcast<u32>(_e1356) & 2147483647u));
-                                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1361) & 2147483647u));
-                                                                        let _e1453 = select(_e1451, _e1448, (_e1448 > _e1451));
-                                                                        let _e1456 = bitcast<f32>((bitcast<u32>(_e1364) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1356 * _e1417) + (_e1361 * _e1418)) + (_e1364 * _e1419)) - _e1385)) & 2147483647u)) <= ((0.0000009536743f * select(_e1322, _e1442, (_e1442 > _e1322))) * select(_e1456, _e1453, (_e1453 > _e1456)))) {
-                                                                            let _e1466 = bitcast<f32>((bitcast<u32>(_e1347.x) & 2147483647u));
-                                                                            let _e1469 = bitcast<f32>((bitcast<u32>(_e1347.y) & 2147483647u));
-                                                                            let _e1471 = select(_e1469, _e1466, (_e1466 > _e1469));
-                                                                            let _e1474 = bitcast<f32>((bitcast<u32>(_e1347.z) & 2147483647u));
-                                                                            let _e1480 = bitcast<f32>((bitcast<u32>(_e1345.x) & 2147483647u));
-                                                                            let _e1483 = bitcast<f32>((bitcast<u32>(_e1345.y) & 2147483647u));
-                                                                            let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
-                                                                            let _e1488 = bitcast<f32>((bitcast<u32>(_e1345.z) & 2147483647u));
-                                                                            let _e1492 = (bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u)) > ((0.0000038146973f * select(_e1474, _e1471, (_e1471 > _e1474))) * select(_e1488, _e1485, (_e1485 > _e1488))));
-                                                                            if _e1492 {
-                                                                                phi_1920_ = (_e1385 / _e1390);
+                                                                        let _e1541 = phi_2058_;
+                                                                        let _e1552 = (((_e1523 * (_e1541.x - _e329)) + (_e1528 * (_e1541.y - _e398))) + (_e1531 * (_e1541.z - _e466)));
+                                                                        let _e1557 = (((_e1523 * _e369) + (_e1528 * _e437)) + (_e1531 * _e505));
+                                                                        let _e1558 = (_e1504 - _e1508);
+                                                                        let _e1559 = (_e1502 - _e1506);
+                                                                        let _e1567 = (-(((_e1508 * _e1558) + (_e1506 * _e1559))) / ((_e1558 * _e1558) + (_e1559 * _e1559)));
+                                                                        let _e1569 = select(1f, _e1567, (_e1567 < 1f));
+                                                                        let _e1571 = select(0f, _e1569, (_e1569 > 0f));
+                                                                        let _e1584 = ((_e1510.x + (_e1516.x * _e1571)) - _e329);
+                                                                        let _e1585 = ((_e1510.y + (_e1516.y * _e1571)) - _e398);
+                                                                        let _e1586 = ((_e1510.z + (_e1516.z * _e1571)) - _e466);
+                                                                        let _e1587 = (_e1586 / _e505);
+                                                                        let _e1599 = bitcast<f32>((bitcast<u32>(_e1584) & 2147483647u));
+                                                                        let _e1602 = bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u));
+                                                                        let _e1604 = select(_e1602, _e1599, (_e1599 > _e1602));
+                                                                        let _e1607 = bitcast<f32>((bitcast<u32>(_e1586) & 2147483647u));
+                                                                        let _e1609 = select(_e1607, _e1604, (_e1604 > _e1607));
+                                                                        let _e1615 = bitcast<f32>((bitcast<u32>(_e1523) & 2147483647u));
+                                                                        let _e1618 = bitcast<f32>((bitcast<u32>(_e1528) & 2147483647u));
+                                                                        let _e1620 = select(_e1618, _e1615, (_e1615 > _e1618));
+                                                                        let _e1623 = bitcast<f32>((bitcast<u32>(_e1531) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1523 * _e1584) + (_e1528 * _e1585)) + (_e1531 * _e1586)) - _e1552)) & 2147483647u)) <= ((0.0000009536743f * select(_e1489, _e1609, (_e1609 > _e1489))) * select(_e1623, _e1620, (_e1620 > _e1623)))) {
+                                                                            let _e1633 = bitcast<f32>((bitcast<u32>(_e1514.x) & 2147483647u));
+                                                                            let _e1636 = bitcast<f32>((bitcast<u32>(_e1514.y) & 2147483647u));
+                                                                            let _e1638 = select(_e1636, _e1633, (_e1633 > _e1636));
+                                                                            let _e1641 = bitcast<f32>((bitcast<u32>(_e1514.z) & 2147483647u));
+                                                                            let _e1647 = bitcast<f32>((bitcast<u32>(_e1512.x) & 2147483647u));
+                                                                            let _e1650 = bitcast<f32>((bitcast<u32>(_e1512.y) & 2147483647u));
+                                                                            let _e1652 = select(_e1650, _e1647, (_e1647 > _e1650));
+                                                                            let _e1655 = bitcast<f32>((bitcast<u32>(_e1512.z) & 2147483647u));
+                                                                            let _e1659 = (bitcast<f32>((bitcast<u32>(_e1557) & 2147483647u)) > ((0.0000038146973f * select(_e1641, _e1638, (_e1638 > _e1641))) * select(_e1655, _e1652, (_e1652 > _e1655))));
+                                                                            if _e1659 {
+                                                                                phi_2223_ = (_e1552 / _e1557);
                                                                             } else {
-                                                                                phi_1920_ = f32();
+                                                                                phi_2223_ = f32();
                                                                             }
-                                                                            let _e1495 = phi_1920_;
-                                                                            phi_1922_ = _e1495;
-                                                                            phi_1923_ = select(true, false, _e1492);
+                                                                            let _e1662 = phi_2223_;
+                                                                            phi_2225_ = _e1662;
+                                                                            phi_2226_ = select(true, false, _e1659);
                                                                         } else {
-                                                                            phi_1922_ = f32();
-                                                                            phi_1923_ = true;
+                                                                            phi_2225_ = f32();
+                                                                            phi_2226_ = true;
                                                                         }
-                                                                        let _e1498 = phi_1922_;
-                                                                        let _e1500 = phi_1923_;
-                                                                        if _e1500 {
-                                                                            let _e1508 = (((_e1356 * (_e1417 - (_e333 * _e1420))) + (_e1361 * (_e1418 - (_e371 * _e1420)))) / _e1390);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1508) & 2147483647u)) <= _e1322) {
-                                                                                phi_1943_ = (_e1420 + _e1508);
+                                                                        let _e1665 = phi_2225_;
+                                                                        let _e1667 = phi_2226_;
+                                                                        if _e1667 {
+                                                                            let _e1675 = (((_e1523 * (_e1584 - (_e369 * _e1587))) + (_e1528 * (_e1585 - (_e437 * _e1587)))) / _e1557);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1675) & 2147483647u)) <= _e1489) {
+                                                                                phi_2246_ = (_e1587 + _e1675);
                                                                             } else {
-                                                                                phi_1943_ = _e1420;
+                                                                                phi_2246_ = _e1587;
                                                                             }
-                                                                            let _e1515 = phi_1943_;
-                                                                            phi_1944_ = _e1515;
+                                                                            let _e1682 = phi_2246_;
+                                                                            phi_2247_ = _e1682;
                                                                         } else {
-                                                                            phi_1944_ = _e1498;
+                                                                            phi_2247_ = _e1665;
                                                                         }
-                                                                        let _e1517 = phi_1944_;
-                                                                        let _e1519 = select(_e1255, _e1517, (_e1517 < _e1255));
-                                                                        let _e1521 = select(_e1247, _e1519, (_e1519 > _e1247));
-                                                                        if (_e1521 >= _e459) {
-                                                                            let _e1523 = (_e1521 <= _e1007);
-                                                                            if _e1523 {
-                                                                                let _e1524 = (1f / _e1174);
-                                                                                phi_1967_ = type_21(_e1521, (_e1168 * _e1524), (_e1172 * _e1524), _e1036);
+                                                                        let _e1684 = phi_2247_;
+                                                                        let _e1686 = select(_e1422, _e1684, (_e1684 < _e1422));
+                                                                        let _e1688 = select(_e1414, _e1686, (_e1686 > _e1414));
+                                                                        if (_e1688 >= _e620) {
+                                                                            let _e1690 = (_e1688 <= _e1174);
+                                                                            if _e1690 {
+                                                                                let _e1691 = (1f / _e1341);
+                                                                                phi_2270_ = type_21(_e1688, (_e1335 * _e1691), (_e1339 * _e1691), _e1203);
                                                                             } else {
-                                                                                phi_1967_ = type_21();
+                                                                                phi_2270_ = type_21();
                                                                             }
-                                                                            let _e1529 = phi_1967_;
-                                                                            phi_1969_ = _e1529;
-                                                                            phi_1970_ = select(true, false, _e1523);
+                                                                            let _e1696 = phi_2270_;
+                                                                            phi_2272_ = _e1696;
+                                                                            phi_2273_ = select(true, false, _e1690);
                                                                         } else {
-                                                                            phi_1969_ = type_21();
-                                                                            phi_1970_ = true;
+                                                                            phi_2272_ = type_21();
+                                                                            phi_2273_ = true;
                                                                         }
-                                                                        let _e1532 = phi_1969_;
-                                                                        let _e1534 = phi_1970_;
-                                                                        if _e1534 {
-                                                                            phi_1974_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1699 = phi_2272_;
+                                                                        let _e1701 = phi_2273_;
+                                                                        if _e1701 {
+                                                                            phi_2277_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1974_ = _e1532;
+                                                                            phi_2277_ = _e1699;
                                                                         }
-                                                                        let _e1536 = phi_1974_;
-                                                                        phi_1975_ = _e1536;
+                                                                        let _e1703 = phi_2277_;
+                                                                        phi_2278_ = _e1703;
                                                                     }
-                                                                    let _e1538 = phi_1975_;
-                                                                    phi_1976_ = _e1538;
-                                                                    phi_1977_ = _e1264;
+                                                                    let _e1705 = phi_2278_;
+                                                                    phi_2279_ = _e1705;
+                                                                    phi_2280_ = _e1431;
                                                                 }
-                                                                let _e1540 = phi_1976_;
-                                                                let _e1542 = phi_1977_;
-                                                                phi_1981_ = _e1540;
-                                                                phi_1982_ = _e1542;
+                                                                let _e1707 = phi_2279_;
+                                                                let _e1709 = phi_2280_;
+                                                                phi_2284_ = _e1707;
+                                                                phi_2285_ = _e1709;
                                                             }
-                                                            let _e1544 = phi_1981_;
-                                                            let _e1546 = phi_1982_;
-                                                            phi_1983_ = _e1544;
-                                                            phi_1984_ = _e1199;
-                                                            phi_1985_ = _e1546;
+                                                            let _e1711 = phi_2284_;
+                                                            let _e1713 = phi_2285_;
+                                                            phi_2286_ = _e1711;
+                                                            phi_2287_ = _e1366;
+                                                            phi_2288_ = _e1713;
                                                         }
-                                                        let _e1548 = phi_1983_;
-                                                        let _e1550 = phi_1984_;
-                                                        let _e1552 = phi_1985_;
-                                                        phi_1986_ = _e1548;
-                                                        phi_1987_ = _e1550;
-                                                        phi_1988_ = _e1552;
+                                                        let _e1715 = phi_2286_;
+                                                        let _e1717 = phi_2287_;
+                                                        let _e1719 = phi_2288_;
+                                                        phi_2289_ = _e1715;
+                                                        phi_2290_ = _e1717;
+                                                        phi_2291_ = _e1719;
                                                     }
-                                                    let _e1554 = phi_1986_;
-                                                    let _e1556 = phi_1987_;
-                                                    let _e1558 = phi_1988_;
-                                                    phi_1996_ = _e1554;
-                                                    phi_1997_ = select(_e1558, true, _e1556);
+                                                    let _e1721 = phi_2289_;
+                                                    let _e1723 = phi_2290_;
+                                                    let _e1725 = phi_2291_;
+                                                    phi_2299_ = _e1721;
+                                                    phi_2300_ = select(_e1725, true, _e1723);
                                                 } else {
-                                                    phi_1996_ = type_21();
-                                                    phi_1997_ = true;
+                                                    phi_2299_ = type_21();
+                                                    phi_2300_ = true;
                                                 }
-                                                let _e1561 = phi_1996_;
-                                                let _e1563 = phi_1997_;
-                                                if _e1563 {
-                                                    phi_2001_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1728 = phi_2299_;
+                                                let _e1730 = phi_2300_;
+                                                if _e1730 {
+                                                    phi_2304_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2001_ = _e1561;
+                                                    phi_2304_ = _e1728;
                                                 }
-                                                let _e1565 = phi_2001_;
-                                                if (_e1565.member_3 != 4294967295u) {
-                                                    if (_e1036 != 4294967295u) {
-                                                        phi_2013_ = type_4(0u, 8u);
-                                                        phi_2016_ = _e1565;
+                                                let _e1732 = phi_2304_;
+                                                if (_e1732.member_3 != 4294967295u) {
+                                                    if (_e1203 != 4294967295u) {
+                                                        phi_2316_ = type_4(0u, 8u);
+                                                        phi_2319_ = _e1732;
                                                         loop {
-                                                            let _e1570 = phi_2013_;
-                                                            let _e1572 = phi_2016_;
-                                                            if (_e1570.member < _e1570.member_1) {
-                                                                phi_2014_ = type_4((_e1570.member + 1u), _e1570.member_1);
-                                                                phi_2039_ = type_4(1u, _e1570.member);
+                                                            let _e1737 = phi_2316_;
+                                                            let _e1739 = phi_2319_;
+                                                            if (_e1737.member < _e1737.member_1) {
+                                                                phi_2317_ = type_4((_e1737.member + 1u), _e1737.member_1);
+                                                                phi_2342_ = type_4(1u, _e1737.member);
                                                             } else {
-                                                                phi_2014_ = _e1570;
-                                                                phi_2039_ = type_4(0u, type_4().member_1);
+                                                                phi_2317_ = _e1737;
+                                                                phi_2342_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1585 = phi_2014_;
-                                                            let _e1587 = phi_2039_;
-                                                            let _e1591 = (bitcast<i32>(_e1587.member) != 0i);
-                                                            if _e1591 {
-                                                                let _e1592 = (_e1587.member_1 < 8u);
-                                                                if _e1592 {
+                                                            let _e1752 = phi_2317_;
+                                                            let _e1754 = phi_2342_;
+                                                            let _e1758 = (bitcast<i32>(_e1754.member) != 0i);
+                                                            if _e1758 {
+                                                                let _e1759 = (_e1754.member_1 < 8u);
+                                                                if _e1759 {
                                                                 } else {
-                                                                    phi_3753_ = true;
+                                                                    phi_4162_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1597 = local_9[_e1587.member_1].member;
-                                                                if (_e1572.member < _e1597) {
-                                                                    phi_2072_ = true;
+                                                                let _e1764 = local_9[_e1754.member_1].member;
+                                                                if (_e1739.member < _e1764) {
+                                                                    phi_2375_ = true;
                                                                 } else {
-                                                                    let _e1599 = local_9[_e1587.member_1].member;
-                                                                    if (_e1572.member == _e1599) {
-                                                                        let _e1604 = local_9[_e1587.member_1].member_3;
-                                                                        phi_2071_ = (_e1572.member_3 < _e1604);
+                                                                    let _e1766 = local_9[_e1754.member_1].member;
+                                                                    if (_e1739.member == _e1766) {
+                                                                        let _e1771 = local_9[_e1754.member_1].member_3;
+                                                                        phi_2374_ = (_e1739.member_3 < _e1771);
                                                                     } else {
-                                                                        phi_2071_ = false;
+                                                                        phi_2374_ = false;
                                                                     }
-                                                                    let _e1607 = phi_2071_;
-                                                                    phi_2072_ = _e1607;
+                                                                    let _e1774 = phi_2374_;
+                                                                    phi_2375_ = _e1774;
                                                                 }
-                                                                let _e1609 = phi_2072_;
-                                                                if _e1609 {
-                                                                    if _e1592 {
+                                                                let _e1776 = phi_2375_;
+                                                                if _e1776 {
+                                                                    if _e1759 {
                                                                     } else {
-                                                                        phi_3753_ = true;
+                                                                        phi_4162_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1610 = local_9[_e1587.member_1];
-                                                                    local_9[_e1587.member_1] = type_21(_e1572.member, _e1572.member_1, _e1572.member_2, _e1572.member_3);
-                                                                    phi_2093_ = type_21(_e1610.member, _e1610.member_1, _e1610.member_2, _e1610.member_3);
+                                                                    let _e1777 = local_9[_e1754.member_1];
+                                                                    local_9[_e1754.member_1] = type_21(_e1739.member, _e1739.member_1, _e1739.member_2, _e1739.member_3);
+                                                                    phi_2396_ = type_21(_e1777.member, _e1777.member_1, _e1777.member_2, _e1777.member_3);
                                                                 } else {
-                                                                    phi_2093_ = _e1572;
+                                                                    phi_2396_ = _e1739;
                                                                 }
-                                                                let _e1621 = phi_2093_;
-                                                                phi_2017_ = _e1621;
+                                                                let _e1788 = phi_2396_;
+                                                                phi_2320_ = _e1788;
                                                             } else {
-                                                                phi_2017_ = type_21();
+                                                                phi_2320_ = type_21();
                                                             }
-                                                            let _e1623 = phi_2017_;
+                                                            let _e1790 = phi_2320_;
                                                             continue;
                                                             continuing {
-                                                                phi_2013_ = _e1585;
-                                                                phi_2016_ = _e1623;
-                                                                phi_3753_ = _e1005;
-                                                                break if !(_e1591);
+                                                                phi_2316_ = _e1752;
+                                                                phi_2319_ = _e1790;
+                                                                phi_4162_ = _e1172;
+                                                                break if !(_e1758);
                                                             }
                                                         }
-                                                        let _e1626 = phi_3753_;
-                                                        phi_4037_ = _e1007;
-                                                        phi_3895_ = _e1626;
-                                                        if _e1626 {
+                                                        let _e1793 = phi_4162_;
+                                                        phi_4475_ = _e1174;
+                                                        phi_4322_ = _e1793;
+                                                        if _e1793 {
                                                             break;
                                                         }
-                                                        let _e1629 = local_9[7u].member_3;
-                                                        if (_e1629 != 4294967295u) {
-                                                            let _e1633 = local_9[7u].member;
-                                                            phi_4128_ = _e1633;
+                                                        let _e1796 = local_9[7u].member_3;
+                                                        if (_e1796 != 4294967295u) {
+                                                            let _e1800 = local_9[7u].member;
+                                                            phi_4566_ = _e1800;
                                                         } else {
-                                                            phi_4128_ = _e1007;
+                                                            phi_4566_ = _e1174;
                                                         }
-                                                        let _e1635 = phi_4128_;
-                                                        phi_4127_ = _e1635;
-                                                        phi_3898_ = _e1626;
+                                                        let _e1802 = phi_4566_;
+                                                        phi_4565_ = _e1802;
+                                                        phi_4325_ = _e1793;
                                                     } else {
-                                                        phi_4127_ = _e1007;
-                                                        phi_3898_ = _e1005;
+                                                        phi_4565_ = _e1174;
+                                                        phi_4325_ = _e1172;
                                                     }
-                                                    let _e1637 = phi_4127_;
-                                                    let _e1639 = phi_3898_;
-                                                    phi_4126_ = _e1637;
-                                                    phi_3897_ = _e1639;
+                                                    let _e1804 = phi_4565_;
+                                                    let _e1806 = phi_4325_;
+                                                    phi_4564_ = _e1804;
+                                                    phi_4324_ = _e1806;
                                                 } else {
-                                                    phi_4126_ = _e1007;
-                                                    phi_3897_ = _e1005;
+                                                    phi_4564_ = _e1174;
+                                                    phi_4324_ = _e1172;
                                                 }
-                                                let _e1641 = phi_4126_;
-                                                let _e1643 = phi_3897_;
-                                                phi_4125_ = _e1641;
-                                                phi_3896_ = _e1643;
+                                                let _e1808 = phi_4564_;
+                                                let _e1810 = phi_4324_;
+                                                phi_4563_ = _e1808;
+                                                phi_4323_ = _e1810;
                                             } else {
-                                                phi_4125_ = _e1007;
-                                                phi_3896_ = _e1005;
+                                                phi_4563_ = _e1174;
+                                                phi_4323_ = _e1172;
                                             }
-                                            let _e1645 = phi_4125_;
-                                            let _e1647 = phi_3896_;
+                                            let _e1812 = phi_4563_;
+                                            let _e1814 = phi_4323_;
                                             continue;
                                             continuing {
-                                                phi_3762_ = _e1647;
-                                                phi_3752_ = _e1645;
-                                                phi_1026_ = _e1022;
-                                                phi_4037_ = _e1645;
-                                                phi_3895_ = _e1647;
-                                                break if !(_e1028);
+                                                phi_4171_ = _e1814;
+                                                phi_4161_ = _e1812;
+                                                phi_1329_ = _e1189;
+                                                phi_4475_ = _e1812;
+                                                phi_4322_ = _e1814;
+                                                break if !(_e1195);
                                             }
                                         }
-                                        let _e1650 = phi_4037_;
-                                        let _e1652 = phi_3895_;
-                                        phi_3900_ = _e1652;
-                                        if _e1652 {
+                                        let _e1817 = phi_4475_;
+                                        let _e1819 = phi_4322_;
+                                        phi_4327_ = _e1819;
+                                        if _e1819 {
                                             break;
                                         }
-                                        phi_4002_ = _e1650;
-                                        phi_3904_ = _e1652;
-                                        phi_3310_ = _e540;
-                                        phi_3311_ = false;
-                                        phi_3312_ = _e544;
+                                        phi_4440_ = _e1817;
+                                        phi_4331_ = _e1819;
+                                        phi_3613_ = _e701;
+                                        phi_3614_ = false;
+                                        phi_3615_ = _e705;
                                     } else {
-                                        if (_e540.member_1 >= _e89) {
-                                            phi_2865_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e701.member_1 >= _e95) {
+                                            phi_3168_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e540.member_1 < _e89) {
+                                            if (_e701.member_1 < _e95) {
                                             } else {
-                                                phi_3900_ = true;
+                                                phi_4327_ = true;
                                                 break;
                                             }
-                                            let _e555 = (_e259 * 2u);
-                                            let _e557 = ((1u + _e555) % 7u);
-                                            if (_e557 < 7u) {
+                                            let _e716 = (_e265 * 2u);
+                                            let _e718 = ((1u + _e716) % 7u);
+                                            if (_e718 < 7u) {
                                             } else {
-                                                phi_3900_ = true;
+                                                phi_4327_ = true;
                                                 break;
                                             }
-                                            let _e562 = global_5.member[_e540.member_1][_e557];
-                                            let _e564 = ((_e555 + 2u) % 7u);
-                                            if (_e564 < 7u) {
+                                            let _e723 = global_5.member[_e701.member_1][_e718];
+                                            let _e725 = ((_e716 + 2u) % 7u);
+                                            if (_e725 < 7u) {
                                             } else {
-                                                phi_3900_ = true;
+                                                phi_4327_ = true;
                                                 break;
                                             }
-                                            let _e569 = global_5.member[_e540.member_1][_e564];
-                                            let _e570 = (_e258 * 2u);
-                                            let _e572 = ((1u + _e570) % 7u);
-                                            if (_e572 < 7u) {
+                                            let _e730 = global_5.member[_e701.member_1][_e725];
+                                            let _e731 = (_e264 * 2u);
+                                            let _e733 = ((1u + _e731) % 7u);
+                                            if (_e733 < 7u) {
                                             } else {
-                                                phi_3900_ = true;
+                                                phi_4327_ = true;
                                                 break;
                                             }
-                                            let _e577 = global_5.member[_e540.member_1][_e572];
-                                            let _e579 = ((_e570 + 2u) % 7u);
-                                            if (_e579 < 7u) {
+                                            let _e738 = global_5.member[_e701.member_1][_e733];
+                                            let _e740 = ((_e731 + 2u) % 7u);
+                                            if (_e740 < 7u) {
                                             } else {
-                                                phi_3900_ = true;
+                                                phi_4327_ = true;
                                                 break;
                                             }
-                                            let _e584 = global_5.member[_e540.member_1][_e579];
-                                            let _e585 = (_e260 * 2u);
-                                            let _e587 = ((1u + _e585) % 7u);
-                                            if (_e587 < 7u) {
+                                            let _e745 = global_5.member[_e701.member_1][_e740];
+                                            let _e746 = (_e266 * 2u);
+                                            let _e748 = ((1u + _e746) % 7u);
+                                            if (_e748 < 7u) {
                                             } else {
-                                                phi_3900_ = true;
+                                                phi_4327_ = true;
                                                 break;
                                             }
-                                            let _e592 = global_5.member[_e540.member_1][_e587];
-                                            let _e594 = ((_e585 + 2u) % 7u);
-                                            if (_e594 < 7u) {
+                                            let _e753 = global_5.member[_e701.member_1][_e748];
+                                            let _e755 = ((_e746 + 2u) % 7u);
+                                            if (_e755 < 7u) {
                                             } else {
-                                                phi_3900_ = true;
+                                                phi_4327_ = true;
                                                 break;
                                             }
-                                            let _e599 = global_5.member[_e540.member_1][_e594];
-                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.x - _e540.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e623 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.y - _e540.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e624 = (bitcast<f32>((bitcast<u32>((_e540.member.member_1.z - _e540.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e626 = select(_e139, _e622, (_e622 > _e139));
-                                            let _e628 = select(_e139, _e623, (_e623 > _e139));
-                                            let _e630 = select(_e139, _e624, (_e624 > _e139));
-                                            let _e655 = bitcast<u32>((f32(bitcast<i32>((_e562 & 2097151u))) * _e626));
-                                            let _e660 = (bitcast<i32>((_e562 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e663 = bitcast<f32>((_e655 & bitcast<u32>(_e660)));
-                                            let _e664 = bitcast<u32>((f32(bitcast<i32>((_e577 & 2097151u))) * _e628));
-                                            let _e669 = (bitcast<i32>((_e577 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e672 = bitcast<f32>((_e664 & bitcast<u32>(_e669)));
-                                            let _e673 = bitcast<u32>((f32(bitcast<i32>((_e592 & 2097151u))) * _e630));
-                                            let _e678 = (bitcast<i32>((_e592 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e681 = bitcast<f32>((_e673 & bitcast<u32>(_e678)));
-                                            let _e685 = bitcast<f32>((_e655 & bitcast<u32>(~(_e660))));
-                                            let _e689 = bitcast<f32>((_e664 & bitcast<u32>(~(_e669))));
-                                            let _e693 = bitcast<f32>((_e673 & bitcast<u32>(~(_e678))));
-                                            let _e694 = bitcast<u32>((f32(bitcast<i32>((_e569 & 2097151u))) * _e626));
-                                            let _e699 = (bitcast<i32>((_e569 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e702 = bitcast<f32>((_e694 & bitcast<u32>(_e699)));
-                                            let _e703 = bitcast<u32>((f32(bitcast<i32>((_e584 & 2097151u))) * _e628));
-                                            let _e708 = (bitcast<i32>((_e584 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e711 = bitcast<f32>((_e703 & bitcast<u32>(_e708)));
-                                            let _e712 = bitcast<u32>((f32(bitcast<i32>((_e599 & 2097151u))) * _e630));
-                                            let _e717 = (bitcast<i32>((_e599 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e720 = bitcast<f32>((_e712 & bitcast<u32>(_e717)));
-                                            let _e724 = bitcast<f32>((_e694 & bitcast<u32>(~(_e699))));
-                                            let _e728 = bitcast<f32>((_e703 & bitcast<u32>(~(_e708))));
-                                            let _e732 = bitcast<f32>((_e712 & bitcast<u32>(~(_e717))));
-                                            let _e762 = global_5.member[_e540.member_1][0u];
-                                            let _e766 = global_5.member[_e540.member_1][2u];
-                                            let _e770 = global_5.member[_e540.member_1][4u];
-                                            let _e774 = global_5.member[_e540.member_1][6u];
-                                            let _e786 = (((_e766 >> bitcast<u32>(22i)) | ((_e770 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e774 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e787 = (_e762 & 268435455u);
-                                            let _e788 = (_e786 & 268435455u);
-                                            let _e791 = ((_e762 >> bitcast<u32>(28u)) & 7u);
-                                            let _e799 = ((_e762 >> bitcast<u32>(31i)) | (((_e786 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e800 = (_e791 != 0u);
-                                            if (_e791 == 0u) {
-                                                phi_2827_ = _e787;
+                                            let _e760 = global_5.member[_e701.member_1][_e755];
+                                            let _e783 = (bitcast<f32>((bitcast<u32>((_e701.member.member_1.x - _e701.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e784 = (bitcast<f32>((bitcast<u32>((_e701.member.member_1.y - _e701.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e785 = (bitcast<f32>((bitcast<u32>((_e701.member.member_1.z - _e701.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e787 = select(_e145, _e783, (_e783 > _e145));
+                                            let _e789 = select(_e145, _e784, (_e784 > _e145));
+                                            let _e791 = select(_e145, _e785, (_e785 > _e145));
+                                            let _e822 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e723 & 2097151u))) - 8388608f) * _e787));
+                                            let _e827 = (bitcast<i32>((_e723 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e830 = bitcast<f32>((_e822 & bitcast<u32>(_e827)));
+                                            let _e831 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e738 & 2097151u))) - 8388608f) * _e789));
+                                            let _e836 = (bitcast<i32>((_e738 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e839 = bitcast<f32>((_e831 & bitcast<u32>(_e836)));
+                                            let _e840 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e753 & 2097151u))) - 8388608f) * _e791));
+                                            let _e845 = (bitcast<i32>((_e753 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e848 = bitcast<f32>((_e840 & bitcast<u32>(_e845)));
+                                            let _e852 = bitcast<f32>((_e822 & bitcast<u32>(~(_e827))));
+                                            let _e856 = bitcast<f32>((_e831 & bitcast<u32>(~(_e836))));
+                                            let _e860 = bitcast<f32>((_e840 & bitcast<u32>(~(_e845))));
+                                            let _e861 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 2097151u))) - 8388608f) * _e787));
+                                            let _e866 = (bitcast<i32>((_e730 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e869 = bitcast<f32>((_e861 & bitcast<u32>(_e866)));
+                                            let _e870 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e745 & 2097151u))) - 8388608f) * _e789));
+                                            let _e875 = (bitcast<i32>((_e745 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e878 = bitcast<f32>((_e870 & bitcast<u32>(_e875)));
+                                            let _e879 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e760 & 2097151u))) - 8388608f) * _e791));
+                                            let _e884 = (bitcast<i32>((_e760 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e887 = bitcast<f32>((_e879 & bitcast<u32>(_e884)));
+                                            let _e891 = bitcast<f32>((_e861 & bitcast<u32>(~(_e866))));
+                                            let _e895 = bitcast<f32>((_e870 & bitcast<u32>(~(_e875))));
+                                            let _e899 = bitcast<f32>((_e879 & bitcast<u32>(~(_e884))));
+                                            let _e929 = global_5.member[_e701.member_1][0u];
+                                            let _e933 = global_5.member[_e701.member_1][2u];
+                                            let _e937 = global_5.member[_e701.member_1][4u];
+                                            let _e941 = global_5.member[_e701.member_1][6u];
+                                            let _e953 = (((_e933 >> bitcast<u32>(22i)) | ((_e937 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e941 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e954 = (_e929 & 268435455u);
+                                            let _e955 = (_e953 & 268435455u);
+                                            let _e958 = ((_e929 >> bitcast<u32>(28u)) & 7u);
+                                            let _e966 = ((_e929 >> bitcast<u32>(31i)) | (((_e953 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e967 = (_e958 != 0u);
+                                            if (_e958 == 0u) {
+                                                phi_3130_ = _e954;
                                             } else {
-                                                if (_e791 == 7u) {
-                                                    phi_2826_ = 2147483648u;
+                                                if (_e958 == 7u) {
+                                                    phi_3129_ = 2147483648u;
                                                 } else {
-                                                    phi_2826_ = ((2147483648u | (_e791 << bitcast<u32>(28u))) | (_e788 & 268435455u));
+                                                    phi_3129_ = ((2147483648u | (_e958 << bitcast<u32>(28u))) | (_e955 & 268435455u));
                                                 }
-                                                let _e809 = phi_2826_;
-                                                phi_2827_ = _e809;
+                                                let _e976 = phi_3129_;
+                                                phi_3130_ = _e976;
                                             }
-                                            let _e811 = phi_2827_;
-                                            if _e800 {
-                                                let _e812 = (_e791 != 7u);
-                                                if _e812 {
-                                                    phi_2837_ = (_e788 + _e791);
+                                            let _e978 = phi_3130_;
+                                            if _e967 {
+                                                let _e979 = (_e958 != 7u);
+                                                if _e979 {
+                                                    phi_3140_ = (_e955 + _e958);
                                                 } else {
-                                                    phi_2837_ = u32();
+                                                    phi_3140_ = u32();
                                                 }
-                                                let _e815 = phi_2837_;
-                                                phi_2839_ = _e815;
-                                                phi_2840_ = select(true, false, _e812);
+                                                let _e982 = phi_3140_;
+                                                phi_3142_ = _e982;
+                                                phi_3143_ = select(true, false, _e979);
                                             } else {
-                                                phi_2839_ = u32();
-                                                phi_2840_ = true;
+                                                phi_3142_ = u32();
+                                                phi_3143_ = true;
                                             }
-                                            let _e818 = phi_2839_;
-                                            let _e820 = phi_2840_;
-                                            if (_e799 == 0u) {
-                                                phi_2861_ = (_e787 + select(0u, 1u, !(_e800)));
+                                            let _e985 = phi_3142_;
+                                            let _e987 = phi_3143_;
+                                            if (_e966 == 0u) {
+                                                phi_3164_ = (_e954 + select(0u, 1u, !(_e967)));
                                             } else {
-                                                if (_e799 == 7u) {
-                                                    phi_2860_ = 2147483648u;
+                                                if (_e966 == 7u) {
+                                                    phi_3163_ = 2147483648u;
                                                 } else {
-                                                    phi_2860_ = ((2147483648u | (_e799 << bitcast<u32>(28u))) | (select(_e818, _e788, _e820) & 268435455u));
+                                                    phi_3163_ = ((2147483648u | (_e966 << bitcast<u32>(28u))) | (select(_e985, _e955, _e987) & 268435455u));
                                                 }
-                                                let _e833 = phi_2860_;
-                                                phi_2861_ = _e833;
+                                                let _e1000 = phi_3163_;
+                                                phi_3164_ = _e1000;
                                             }
-                                            let _e835 = phi_2861_;
-                                            phi_2865_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e540.member.member.x + _e663), (_e540.member.member.x + _e685), (_e540.member.member_1.x - _e702), (_e540.member.member_1.x - _e724)), vec4<f32>((_e540.member.member.y + _e672), (_e540.member.member.y + _e689), (_e540.member.member_1.y - _e711), (_e540.member.member_1.y - _e728)), vec4<f32>((_e540.member.member.z + _e681), (_e540.member.member.z + _e693), (_e540.member.member_1.z - _e720), (_e540.member.member_1.z - _e732))), type_52(type_25((_e540.member.member + vec4<f32>(_e663, _e672, _e681, 0f)), (_e540.member.member_1 - vec4<f32>(_e702, _e711, _e720, 0f))), _e811), type_52(type_25((_e540.member.member + vec4<f32>(_e685, _e689, _e693, 0f)), (_e540.member.member_1 - vec4<f32>(_e724, _e728, _e732, 0f))), _e835));
+                                            let _e1002 = phi_3164_;
+                                            phi_3168_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e701.member.member.x + _e830), (_e701.member.member.x + _e852), (_e701.member.member_1.x - _e869), (_e701.member.member_1.x - _e891)), vec4<f32>((_e701.member.member.y + _e839), (_e701.member.member.y + _e856), (_e701.member.member_1.y - _e878), (_e701.member.member_1.y - _e895)), vec4<f32>((_e701.member.member.z + _e848), (_e701.member.member.z + _e860), (_e701.member.member_1.z - _e887), (_e701.member.member_1.z - _e899))), type_52(type_25((_e701.member.member + vec4<f32>(_e830, _e839, _e848, 0f)), (_e701.member.member_1 - vec4<f32>(_e869, _e878, _e887, 0f))), _e978), type_52(type_25((_e701.member.member + vec4<f32>(_e852, _e856, _e860, 0f)), (_e701.member.member_1 - vec4<f32>(_e891, _e895, _e899, 0f))), _e1002));
                                         }
-                                        let _e840 = phi_2865_;
-                                        let _e851 = ((_e840.member[0].x - _e331) * _e336);
-                                        let _e852 = ((_e840.member[0].y - _e331) * _e336);
-                                        let _e853 = ((_e840.member[0].z - _e332) * _e336);
-                                        let _e854 = ((_e840.member[0].w - _e332) * _e336);
-                                        let _e864 = ((_e840.member[1].x - _e369) * _e374);
-                                        let _e865 = ((_e840.member[1].y - _e369) * _e374);
-                                        let _e866 = ((_e840.member[1].z - _e370) * _e374);
-                                        let _e867 = ((_e840.member[1].w - _e370) * _e374);
-                                        let _e877 = ((_e840.member[2].x - _e407) * _e412);
-                                        let _e878 = ((_e840.member[2].y - _e407) * _e412);
-                                        let _e879 = ((_e840.member[2].z - _e408) * _e412);
-                                        let _e880 = ((_e840.member[2].w - _e408) * _e412);
-                                        let _e882 = select(_e879, _e877, (_e877 < _e879));
-                                        let _e884 = select(_e880, _e878, (_e878 < _e880));
-                                        let _e886 = select(_e879, _e877, (_e877 > _e879));
-                                        let _e888 = select(_e880, _e878, (_e878 > _e880));
-                                        let _e890 = select(_e853, _e851, (_e851 < _e853));
-                                        let _e892 = select(_e854, _e852, (_e852 < _e854));
-                                        let _e894 = select(_e866, _e864, (_e864 < _e866));
-                                        let _e896 = select(_e867, _e865, (_e865 < _e867));
-                                        let _e898 = select(_e894, _e890, (_e890 > _e894));
-                                        let _e900 = select(_e896, _e892, (_e892 > _e896));
-                                        let _e902 = select(_e882, _e898, (_e898 > _e882));
-                                        let _e904 = select(_e884, _e900, (_e900 > _e884));
-                                        let _e906 = select(_e853, _e851, (_e851 > _e853));
-                                        let _e908 = select(_e854, _e852, (_e852 > _e854));
-                                        let _e910 = select(_e866, _e864, (_e864 > _e866));
-                                        let _e912 = select(_e867, _e865, (_e865 > _e867));
-                                        let _e914 = select(_e910, _e906, (_e906 < _e910));
-                                        let _e916 = select(_e912, _e908, (_e908 < _e912));
-                                        let _e921 = -(_e882);
-                                        let _e922 = -(_e884);
-                                        let _e929 = (select(_e886, _e914, (_e914 < _e886)) + (select(_e921, _e886, (_e886 > _e921)) * 0.0000019073523f));
-                                        let _e930 = (select(_e888, _e916, (_e916 < _e888)) + (select(_e922, _e888, (_e888 > _e922)) * 0.0000019073523f));
-                                        let _e932 = select(_e459, _e902, (_e902 > _e459));
-                                        let _e934 = select(_e459, _e904, (_e904 > _e459));
-                                        let _e939 = (_e932 <= select(_e502, _e929, (_e929 < _e502)));
-                                        let _e940 = (_e934 <= select(_e502, _e930, (_e930 < _e502)));
-                                        let _e941 = (_e932 <= _e934);
-                                        if _e939 {
-                                            if _e940 {
-                                                if _e941 {
-                                                    phi_3210_ = _e840.member_2;
+                                        let _e1007 = phi_3168_;
+                                        let _e1018 = ((_e1007.member[0].x - _e367) * _e372);
+                                        let _e1019 = ((_e1007.member[0].y - _e367) * _e372);
+                                        let _e1020 = ((_e1007.member[0].z - _e368) * _e372);
+                                        let _e1021 = ((_e1007.member[0].w - _e368) * _e372);
+                                        let _e1031 = ((_e1007.member[1].x - _e435) * _e440);
+                                        let _e1032 = ((_e1007.member[1].y - _e435) * _e440);
+                                        let _e1033 = ((_e1007.member[1].z - _e436) * _e440);
+                                        let _e1034 = ((_e1007.member[1].w - _e436) * _e440);
+                                        let _e1044 = ((_e1007.member[2].x - _e503) * _e508);
+                                        let _e1045 = ((_e1007.member[2].y - _e503) * _e508);
+                                        let _e1046 = ((_e1007.member[2].z - _e504) * _e508);
+                                        let _e1047 = ((_e1007.member[2].w - _e504) * _e508);
+                                        let _e1049 = select(_e1046, _e1044, (_e1044 < _e1046));
+                                        let _e1051 = select(_e1047, _e1045, (_e1045 < _e1047));
+                                        let _e1053 = select(_e1046, _e1044, (_e1044 > _e1046));
+                                        let _e1055 = select(_e1047, _e1045, (_e1045 > _e1047));
+                                        let _e1057 = select(_e1020, _e1018, (_e1018 < _e1020));
+                                        let _e1059 = select(_e1021, _e1019, (_e1019 < _e1021));
+                                        let _e1061 = select(_e1033, _e1031, (_e1031 < _e1033));
+                                        let _e1063 = select(_e1034, _e1032, (_e1032 < _e1034));
+                                        let _e1065 = select(_e1061, _e1057, (_e1057 > _e1061));
+                                        let _e1067 = select(_e1063, _e1059, (_e1059 > _e1063));
+                                        let _e1069 = select(_e1049, _e1065, (_e1065 > _e1049));
+                                        let _e1071 = select(_e1051, _e1067, (_e1067 > _e1051));
+                                        let _e1073 = select(_e1020, _e1018, (_e1018 > _e1020));
+                                        let _e1075 = select(_e1021, _e1019, (_e1019 > _e1021));
+                                        let _e1077 = select(_e1033, _e1031, (_e1031 > _e1033));
+                                        let _e1079 = select(_e1034, _e1032, (_e1032 > _e1034));
+                                        let _e1081 = select(_e1077, _e1073, (_e1073 < _e1077));
+                                        let _e1083 = select(_e1079, _e1075, (_e1075 < _e1079));
+                                        let _e1088 = -(_e1049);
+                                        let _e1089 = -(_e1051);
+                                        let _e1096 = (select(_e1053, _e1081, (_e1081 < _e1053)) + (select(_e1088, _e1053, (_e1053 > _e1088)) * 0.0000019073523f));
+                                        let _e1097 = (select(_e1055, _e1083, (_e1083 < _e1055)) + (select(_e1089, _e1055, (_e1055 > _e1089)) * 0.0000019073523f));
+                                        let _e1099 = select(_e620, _e1069, (_e1069 > _e620));
+                                        let _e1101 = select(_e620, _e1071, (_e1071 > _e620));
+                                        let _e1106 = (_e1099 <= select(_e663, _e1096, (_e1096 < _e663)));
+                                        let _e1107 = (_e1101 <= select(_e663, _e1097, (_e1097 < _e663)));
+                                        let _e1108 = (_e1099 <= _e1101);
+                                        if _e1106 {
+                                            if _e1107 {
+                                                if _e1108 {
+                                                    phi_3513_ = _e1007.member_2;
                                                 } else {
-                                                    phi_3210_ = _e840.member_1;
+                                                    phi_3513_ = _e1007.member_1;
                                                 }
-                                                let _e945 = phi_3210_;
-                                                let _e967 = (_e544 % 128u);
-                                                let _e968 = (_e967 < 128u);
-                                                if _e968 {
+                                                let _e1112 = phi_3513_;
+                                                let _e1134 = (_e705 % 128u);
+                                                let _e1135 = (_e1134 < 128u);
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_8[_e967] = _e945.member_1;
-                                                if _e968 {
+                                                local_8[_e1134] = _e1112.member_1;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_7[_e967] = _e945.member.member.x;
-                                                if _e968 {
+                                                local_7[_e1134] = _e1112.member.member.x;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_6[_e967] = _e945.member.member.y;
-                                                if _e968 {
+                                                local_6[_e1134] = _e1112.member.member.y;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_5[_e967] = _e945.member.member.z;
-                                                if _e968 {
+                                                local_5[_e1134] = _e1112.member.member.z;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_4[_e967] = _e945.member.member_1.x;
-                                                if _e968 {
+                                                local_4[_e1134] = _e1112.member.member_1.x;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_3[_e967] = _e945.member.member_1.y;
-                                                if _e968 {
+                                                local_3[_e1134] = _e1112.member.member_1.y;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_2[_e967] = _e945.member.member_1.z;
-                                                if _e968 {
+                                                local_2[_e1134] = _e1112.member.member_1.z;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_3900_ = true;
+                                                    phi_4327_ = true;
                                                     break;
                                                 }
-                                                local_10[_e967] = select(_e934, _e932, (_e932 > _e934));
-                                                if _e941 {
-                                                    phi_3287_ = _e840.member_1;
+                                                local_10[_e1134] = select(_e1101, _e1099, (_e1099 > _e1101));
+                                                if _e1108 {
+                                                    phi_3590_ = _e1007.member_1;
                                                 } else {
-                                                    phi_3287_ = _e840.member_2;
+                                                    phi_3590_ = _e1007.member_2;
                                                 }
-                                                let _e981 = phi_3287_;
-                                                phi_3288_ = _e981;
-                                                phi_3289_ = (_e544 + 1u);
+                                                let _e1148 = phi_3590_;
+                                                phi_3591_ = _e1148;
+                                                phi_3592_ = (_e705 + 1u);
                                             } else {
-                                                phi_3288_ = type_52();
-                                                phi_3289_ = u32();
+                                                phi_3591_ = type_52();
+                                                phi_3592_ = u32();
                                             }
-                                            let _e983 = phi_3288_;
-                                            let _e985 = phi_3289_;
-                                            phi_3291_ = _e983;
-                                            phi_3292_ = _e985;
-                                            phi_3293_ = select(true, false, _e940);
+                                            let _e1150 = phi_3591_;
+                                            let _e1152 = phi_3592_;
+                                            phi_3594_ = _e1150;
+                                            phi_3595_ = _e1152;
+                                            phi_3596_ = select(true, false, _e1107);
                                         } else {
-                                            phi_3291_ = type_52();
-                                            phi_3292_ = u32();
-                                            phi_3293_ = true;
+                                            phi_3594_ = type_52();
+                                            phi_3595_ = u32();
+                                            phi_3596_ = true;
                                         }
-                                        let _e988 = phi_3291_;
-                                        let _e990 = phi_3292_;
-                                        let _e992 = phi_3293_;
-                                        if _e992 {
-                                            if _e939 {
-                                                phi_3302_ = _e840.member_1;
+                                        let _e1155 = phi_3594_;
+                                        let _e1157 = phi_3595_;
+                                        let _e1159 = phi_3596_;
+                                        if _e1159 {
+                                            if _e1106 {
+                                                phi_3605_ = _e1007.member_1;
                                             } else {
-                                                phi_3302_ = _e840.member_2;
+                                                phi_3605_ = _e1007.member_2;
                                             }
-                                            let _e996 = phi_3302_;
-                                            phi_3307_ = _e996;
-                                            phi_3308_ = select(_e940, true, _e939);
+                                            let _e1163 = phi_3605_;
+                                            phi_3610_ = _e1163;
+                                            phi_3611_ = select(_e1107, true, _e1106);
                                         } else {
-                                            phi_3307_ = _e988;
-                                            phi_3308_ = _e542;
+                                            phi_3610_ = _e1155;
+                                            phi_3611_ = _e703;
                                         }
-                                        let _e999 = phi_3307_;
-                                        let _e1001 = phi_3308_;
-                                        phi_4002_ = _e502;
-                                        phi_3904_ = _e500;
-                                        phi_3310_ = _e999;
-                                        phi_3311_ = _e1001;
-                                        phi_3312_ = select(_e990, _e544, _e992);
+                                        let _e1166 = phi_3610_;
+                                        let _e1168 = phi_3611_;
+                                        phi_4440_ = _e663;
+                                        phi_4331_ = _e661;
+                                        phi_3613_ = _e1166;
+                                        phi_3614_ = _e1168;
+                                        phi_3615_ = select(_e1157, _e705, _e1159);
                                     }
-                                    let _e1654 = phi_4002_;
-                                    let _e1656 = phi_3904_;
-                                    let _e1658 = phi_3310_;
-                                    let _e1660 = phi_3311_;
-                                    let _e1662 = phi_3312_;
-                                    phi_4001_ = _e1654;
-                                    phi_3903_ = _e1656;
-                                    phi_3313_ = _e1658;
-                                    phi_3314_ = (_e506 - 1u);
-                                    phi_3315_ = _e1660;
-                                    phi_3316_ = _e1662;
+                                    let _e1821 = phi_4440_;
+                                    let _e1823 = phi_4331_;
+                                    let _e1825 = phi_3613_;
+                                    let _e1827 = phi_3614_;
+                                    let _e1829 = phi_3615_;
+                                    phi_4439_ = _e1821;
+                                    phi_4330_ = _e1823;
+                                    phi_3616_ = _e1825;
+                                    phi_3617_ = (_e667 - 1u);
+                                    phi_3618_ = _e1827;
+                                    phi_3619_ = _e1829;
                                 } else {
-                                    phi_4001_ = _e502;
-                                    phi_3903_ = _e500;
-                                    phi_3313_ = _e540;
-                                    phi_3314_ = _e506;
-                                    phi_3315_ = _e542;
-                                    phi_3316_ = _e544;
+                                    phi_4439_ = _e663;
+                                    phi_4330_ = _e661;
+                                    phi_3616_ = _e701;
+                                    phi_3617_ = _e667;
+                                    phi_3618_ = _e703;
+                                    phi_3619_ = _e705;
                                 }
-                                let _e1664 = phi_4001_;
-                                let _e1666 = phi_3903_;
-                                let _e1668 = phi_3313_;
-                                let _e1670 = phi_3314_;
-                                let _e1672 = phi_3315_;
-                                let _e1674 = phi_3316_;
-                                phi_4000_ = _e1664;
-                                phi_3902_ = _e1666;
-                                phi_3317_ = _e1668;
-                                phi_3318_ = _e1670;
-                                phi_3319_ = _e1672;
-                                phi_3320_ = _e1674;
+                                let _e1831 = phi_4439_;
+                                let _e1833 = phi_4330_;
+                                let _e1835 = phi_3616_;
+                                let _e1837 = phi_3617_;
+                                let _e1839 = phi_3618_;
+                                let _e1841 = phi_3619_;
+                                phi_4438_ = _e1831;
+                                phi_4329_ = _e1833;
+                                phi_3620_ = _e1835;
+                                phi_3621_ = _e1837;
+                                phi_3622_ = _e1839;
+                                phi_3623_ = _e1841;
                             } else {
-                                phi_4000_ = _e502;
-                                phi_3902_ = _e500;
-                                phi_3317_ = type_52();
-                                phi_3318_ = u32();
-                                phi_3319_ = bool();
-                                phi_3320_ = u32();
+                                phi_4438_ = _e663;
+                                phi_4329_ = _e661;
+                                phi_3620_ = type_52();
+                                phi_3621_ = u32();
+                                phi_3622_ = bool();
+                                phi_3623_ = u32();
                             }
-                            let _e1676 = phi_4000_;
-                            let _e1678 = phi_3902_;
-                            let _e1680 = phi_3317_;
-                            let _e1682 = phi_3318_;
-                            let _e1684 = phi_3319_;
-                            let _e1686 = phi_3320_;
-                            phi_3999_ = _e1676;
-                            phi_3901_ = _e1678;
-                            phi_902_ = _e1680;
-                            phi_905_ = _e1682;
-                            phi_907_ = _e1684;
-                            phi_909_ = _e1686;
-                            phi_3321_ = _e514;
+                            let _e1843 = phi_4438_;
+                            let _e1845 = phi_4329_;
+                            let _e1847 = phi_3620_;
+                            let _e1849 = phi_3621_;
+                            let _e1851 = phi_3622_;
+                            let _e1853 = phi_3623_;
+                            phi_4437_ = _e1843;
+                            phi_4328_ = _e1845;
+                            phi_1205_ = _e1847;
+                            phi_1208_ = _e1849;
+                            phi_1210_ = _e1851;
+                            phi_1212_ = _e1853;
+                            phi_3624_ = _e675;
                         } else {
-                            phi_3999_ = _e502;
-                            phi_3901_ = _e500;
-                            phi_902_ = type_52();
-                            phi_905_ = u32();
-                            phi_907_ = bool();
-                            phi_909_ = u32();
-                            phi_3321_ = false;
+                            phi_4437_ = _e663;
+                            phi_4328_ = _e661;
+                            phi_1205_ = type_52();
+                            phi_1208_ = u32();
+                            phi_1210_ = bool();
+                            phi_1212_ = u32();
+                            phi_3624_ = false;
                         }
-                        let _e1688 = phi_3999_;
-                        let _e1690 = phi_3901_;
-                        let _e1692 = phi_902_;
-                        let _e1694 = phi_905_;
-                        let _e1696 = phi_907_;
-                        let _e1698 = phi_909_;
-                        let _e1700 = phi_3321_;
+                        let _e1855 = phi_4437_;
+                        let _e1857 = phi_4328_;
+                        let _e1859 = phi_1205_;
+                        let _e1861 = phi_1208_;
+                        let _e1863 = phi_1210_;
+                        let _e1865 = phi_1212_;
+                        let _e1867 = phi_3624_;
                         continue;
                         continuing {
-                            phi_3765_ = _e1690;
-                            phi_3693_ = _e1688;
-                            phi_901_ = _e1692;
-                            phi_904_ = _e1694;
-                            phi_906_ = _e1696;
-                            phi_908_ = _e1698;
-                            phi_3900_ = _e1690;
-                            break if !(_e1700);
+                            phi_4174_ = _e1857;
+                            phi_4102_ = _e1855;
+                            phi_1204_ = _e1859;
+                            phi_1207_ = _e1861;
+                            phi_1209_ = _e1863;
+                            phi_1211_ = _e1865;
+                            phi_4327_ = _e1857;
+                            break if !(_e1867);
                         }
                     }
-                    let _e1703 = phi_3900_;
-                    if _e1703 {
+                    let _e1870 = phi_4327_;
+                    if _e1870 {
                         break;
                     }
-                    phi_3328_ = type_4(0u, 8u);
+                    phi_3631_ = type_4(0u, 8u);
                     loop {
-                        let _e1705 = phi_3328_;
-                        if (_e1705.member < _e1705.member_1) {
-                            phi_3329_ = type_4((_e1705.member + 1u), _e1705.member_1);
-                            phi_3352_ = type_4(1u, _e1705.member);
+                        let _e1872 = phi_3631_;
+                        if (_e1872.member < _e1872.member_1) {
+                            phi_3632_ = type_4((_e1872.member + 1u), _e1872.member_1);
+                            phi_3655_ = type_4(1u, _e1872.member);
                         } else {
-                            phi_3329_ = _e1705;
-                            phi_3352_ = type_4(0u, type_4().member_1);
+                            phi_3632_ = _e1872;
+                            phi_3655_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1718 = phi_3329_;
-                        let _e1720 = phi_3352_;
-                        let _e1724 = (bitcast<i32>(_e1720.member) != 0i);
-                        if _e1724 {
-                            let _e1725 = (_e1720.member_1 < 8u);
-                            if _e1725 {
+                        let _e1885 = phi_3632_;
+                        let _e1887 = phi_3655_;
+                        let _e1891 = (bitcast<i32>(_e1887.member) != 0i);
+                        if _e1891 {
+                            let _e1892 = (_e1887.member_1 < 8u);
+                            if _e1892 {
                             } else {
-                                phi_3992_ = true;
+                                phi_4419_ = true;
                                 break;
                             }
-                            let _e1727 = local_9[_e1720.member_1];
-                            if (_e1727.member_3 != 4294967295u) {
-                                let _e1733 = -(_e426);
-                                let _e1734 = (_e1733 / 3i);
-                                let _e1741 = bitcast<f32>((bitcast<u32>((_e1734 + 127i)) << bitcast<u32>(23i)));
-                                let _e1749 = (((_e1727.member * _e1741) * _e1741) * bitcast<f32>((bitcast<u32>(((_e1733 - (2i * _e1734)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1751 = select(340282350000000000000000000000000000000f, _e1749, (_e1749 < 340282350000000000000000000000000000000f));
-                                phi_3418_ = type_21(select(-340282350000000000000000000000000000000f, _e1751, (_e1751 > -340282350000000000000000000000000000000f)), _e1727.member_1, _e1727.member_2, _e1727.member_3);
+                            let _e1894 = local_9[_e1887.member_1];
+                            if (_e1894.member_3 != 4294967295u) {
+                                let _e1900 = -(_e522);
+                                let _e1901 = bitcast<u32>(_e1894.member);
+                                let _e1905 = (bitcast<i32>((_e1901 >> bitcast<u32>(23i))) & 255i);
+                                let _e1906 = (_e1905 + _e1900);
+                                if (_e1905 == 255i) {
+                                    phi_3728_ = _e1894.member;
+                                } else {
+                                    if (_e1905 > 0i) {
+                                        if (_e1906 > 0i) {
+                                            let _e1910 = (_e1906 < 255i);
+                                            if _e1910 {
+                                                phi_3707_ = bitcast<f32>((_e1901 + bitcast<u32>((_e1900 << bitcast<u32>(23i)))));
+                                            } else {
+                                                phi_3707_ = f32();
+                                            }
+                                            let _e1917 = phi_3707_;
+                                            phi_3709_ = _e1917;
+                                            phi_3710_ = select(true, false, _e1910);
+                                        } else {
+                                            phi_3709_ = f32();
+                                            phi_3710_ = true;
+                                        }
+                                        let _e1920 = phi_3709_;
+                                        let _e1922 = phi_3710_;
+                                        phi_3711_ = _e1920;
+                                        phi_3712_ = _e1922;
+                                    } else {
+                                        phi_3711_ = f32();
+                                        phi_3712_ = true;
+                                    }
+                                    let _e1924 = phi_3711_;
+                                    let _e1926 = phi_3712_;
+                                    if _e1926 {
+                                        let _e1927 = (_e1901 & 2147483648u);
+                                        let _e1934 = ((_e1901 & 8388607u) | (select(0u, 1u, ((_e1901 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1938 = (_e1934 == 0u);
+                                        if _e1938 {
+                                            phi_4049_ = bitcast<f32>(_e1927);
+                                        } else {
+                                            let _e1943 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1934)), 32u, _e1938) - 8u);
+                                            let _e1946 = (_e1934 << bitcast<u32>((_e1943 & 31u)));
+                                            let _e1948 = ((_e1906 + select(0i, 1i, (_e1905 == 0i))) - bitcast<i32>(_e1943));
+                                            if (_e1948 >= 255i) {
+                                                phi_4039_ = bitcast<f32>((_e1927 | 2139095040u));
+                                                phi_4040_ = f32();
+                                                phi_4041_ = true;
+                                            } else {
+                                                let _e1950 = (_e1948 > 0i);
+                                                if _e1950 {
+                                                    phi_4033_ = bitcast<f32>(((_e1927 | (bitcast<u32>(_e1948) << bitcast<u32>(23i))) | (_e1946 & 8388607u)));
+                                                    phi_4034_ = f32();
+                                                } else {
+                                                    if (_e1948 < -24i) {
+                                                        phi_3999_ = 26u;
+                                                    } else {
+                                                        phi_3999_ = bitcast<u32>((1i - _e1948));
+                                                    }
+                                                    let _e1955 = phi_3999_;
+                                                    let _e1956 = (_e1955 & 31u);
+                                                    let _e1958 = (_e1946 >> bitcast<u32>(_e1956));
+                                                    let _e1962 = (_e1946 & ((1u << bitcast<u32>(_e1956)) - 1u));
+                                                    let _e1966 = (1u << bitcast<u32>(((_e1955 - 1u) & 31u)));
+                                                    if (_e1962 > _e1966) {
+                                                        phi_4020_ = true;
+                                                    } else {
+                                                        if (_e1962 == _e1966) {
+                                                            phi_4017_ = ((_e1958 & 1u) == 1u);
+                                                        } else {
+                                                            phi_4017_ = false;
+                                                        }
+                                                        let _e1972 = phi_4017_;
+                                                        phi_4020_ = _e1972;
+                                                    }
+                                                    let _e1974 = phi_4020_;
+                                                    phi_4033_ = f32();
+                                                    phi_4034_ = bitcast<f32>((_e1927 | (_e1958 + select(0u, 1u, _e1974))));
+                                                }
+                                                let _e1987 = phi_4033_;
+                                                let _e1989 = phi_4034_;
+                                                phi_4039_ = _e1987;
+                                                phi_4040_ = _e1989;
+                                                phi_4041_ = _e1950;
+                                            }
+                                            let _e1993 = phi_4039_;
+                                            let _e1995 = phi_4040_;
+                                            let _e1997 = phi_4041_;
+                                            phi_4049_ = select(_e1995, _e1993, _e1997);
+                                        }
+                                        let _e2001 = phi_4049_;
+                                        phi_3727_ = _e2001;
+                                    } else {
+                                        phi_3727_ = _e1924;
+                                    }
+                                    let _e2003 = phi_3727_;
+                                    phi_3728_ = _e2003;
+                                }
+                                let _e2005 = phi_3728_;
+                                let _e2006 = bitcast<u32>(_e2005);
+                                if ((_e2006 & 2147483647u) >= 2139095040u) {
+                                    phi_3740_ = bitcast<f32>(((_e2006 & 2147483648u) | 2139095039u));
+                                } else {
+                                    phi_3740_ = _e2005;
+                                }
+                                let _e2013 = phi_3740_;
+                                phi_3745_ = type_21(_e2013, _e1894.member_1, _e1894.member_2, _e1894.member_3);
                             } else {
-                                phi_3418_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3745_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1756 = phi_3418_;
-                            if _e1725 {
+                            let _e2016 = phi_3745_;
+                            if _e1892 {
                             } else {
-                                phi_3992_ = true;
+                                phi_4419_ = true;
                                 break;
                             }
-                            local_9[_e1720.member_1] = type_21(_e1756.member, _e1756.member_1, _e1756.member_2, _e1756.member_3);
+                            local_9[_e1887.member_1] = type_21(_e2016.member, _e2016.member_1, _e2016.member_2, _e2016.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3328_ = _e1718;
-                            phi_3992_ = _e1703;
-                            break if !(_e1724);
+                            phi_3631_ = _e1885;
+                            phi_4419_ = _e1870;
+                            break if !(_e1891);
                         }
                     }
-                    let _e1764 = phi_3992_;
-                    if _e1764 {
+                    let _e2024 = phi_4419_;
+                    if _e2024 {
                         break;
                     }
-                    let _e1765 = local_9;
-                    if _e147 {
+                    let _e2025 = local_9;
+                    if _e153 {
                     } else {
                         break;
                     }
-                    global_6.member[_e145] = array<type_21, 8>(type_21(_e1765[0].member, _e1765[0].member_1, _e1765[0].member_2, _e1765[0].member_3), type_21(_e1765[1].member, _e1765[1].member_1, _e1765[1].member_2, _e1765[1].member_3), type_21(_e1765[2].member, _e1765[2].member_1, _e1765[2].member_2, _e1765[2].member_3), type_21(_e1765[3].member, _e1765[3].member_1, _e1765[3].member_2, _e1765[3].member_3), type_21(_e1765[4].member, _e1765[4].member_1, _e1765[4].member_2, _e1765[4].member_3), type_21(_e1765[5].member, _e1765[5].member_1, _e1765[5].member_2, _e1765[5].member_3), type_21(_e1765[6].member, _e1765[6].member_1, _e1765[6].member_2, _e1765[6].member_3), type_21(_e1765[7].member, _e1765[7].member_1, _e1765[7].member_2, _e1765[7].member_3));
+                    global_6.member[_e151] = array<type_21, 8>(type_21(_e2025[0].member, _e2025[0].member_1, _e2025[0].member_2, _e2025[0].member_3), type_21(_e2025[1].member, _e2025[1].member_1, _e2025[1].member_2, _e2025[1].member_3), type_21(_e2025[2].member, _e2025[2].member_1, _e2025[2].member_2, _e2025[2].member_3), type_21(_e2025[3].member, _e2025[3].member_1, _e2025[3].member_2, _e2025[3].member_3), type_21(_e2025[4].member, _e2025[4].member_1, _e2025[4].member_2, _e2025[4].member_3), type_21(_e2025[5].member, _e2025[5].member_1, _e2025[5].member_2, _e2025[5].member_3), type_21(_e2025[6].member, _e2025[6].member_1, _e2025[6].member_2, _e2025[6].member_3), type_21(_e2025[7].member, _e2025[7].member_1, _e2025[7].member_2, _e2025[7].member_3));
                 }
             }
             break;

@@ -88,1163 +88,1342 @@ var<storage, read_write> global_5: type_51;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_184_: u32;
-    var phi_289_: i32;
-    var phi_290_: i32;
-    var phi_300_: bool;
-    var phi_310_: u32;
-    var phi_311_: u32;
-    var phi_313_: bool;
-    var phi_318_: u32;
-    var phi_350_: i32;
-    var phi_368_: f32;
-    var phi_374_: f32;
-    var phi_385_: f32;
-    var phi_391_: f32;
-    var phi_414_: f32;
-    var phi_425_: f32;
-    var phi_434_: f32;
-    var phi_440_: f32;
-    var phi_451_: f32;
-    var phi_457_: f32;
-    var phi_480_: f32;
-    var phi_491_: f32;
-    var phi_500_: f32;
-    var phi_506_: f32;
-    var phi_517_: f32;
-    var phi_523_: f32;
-    var phi_546_: f32;
-    var phi_557_: f32;
-    var phi_657_: f32;
-    var phi_658_: f32;
-    var phi_2371_: bool;
-    var phi_669_: type_42;
-    var phi_672_: u32;
-    var phi_674_: u32;
-    var phi_676_: bool;
-    var phi_678_: u32;
-    var phi_689_: bool;
-    var phi_721_: u32;
-    var phi_722_: bool;
-    var phi_723_: u32;
-    var phi_1808_: type_47;
-    var phi_2152_: u32;
-    var phi_2180_: u32;
-    var phi_2181_: u32;
-    var phi_2182_: u32;
-    var phi_2184_: u32;
-    var phi_2185_: u32;
-    var phi_2186_: bool;
-    var phi_2195_: u32;
-    var phi_2200_: u32;
-    var phi_2201_: bool;
-    var phi_738_: type_42;
-    var phi_741_: type_7;
-    var phi_742_: type_7;
-    var phi_764_: type_7;
-    var phi_785_: u32;
-    var phi_874_: array<array<f32, 3>, 3>;
-    var phi_991_: bool;
-    var phi_1020_: bool;
-    var phi_1421_: f32;
-    var phi_1422_: f32;
-    var phi_1423_: f32;
-    var phi_1424_: f32;
-    var phi_1425_: vec3<f32>;
-    var phi_1426_: vec3<f32>;
-    var phi_1427_: vec3<f32>;
-    var phi_1428_: vec3<f32>;
-    var phi_1459_: bool;
-    var phi_1468_: vec3<f32>;
-    var phi_1633_: f32;
-    var phi_1635_: f32;
-    var phi_1636_: bool;
-    var phi_1656_: f32;
-    var phi_1657_: f32;
-    var phi_1680_: type_22;
-    var phi_1682_: type_22;
-    var phi_1683_: bool;
-    var phi_1687_: type_22;
-    var phi_1688_: type_22;
-    var phi_1689_: type_22;
-    var phi_1690_: bool;
-    var phi_1694_: type_22;
-    var phi_1695_: bool;
-    var phi_1696_: type_22;
-    var phi_1697_: bool;
-    var phi_1698_: bool;
-    var phi_1699_: type_22;
-    var phi_1700_: bool;
-    var phi_1701_: bool;
-    var phi_1709_: type_22;
-    var phi_1710_: bool;
-    var phi_1714_: type_22;
-    var phi_1739_: bool;
-    var phi_1740_: bool;
-    var phi_1746_: type_42;
-    var phi_1747_: type_42;
-    var phi_1748_: type_42;
-    var phi_739_: type_42;
-    var phi_2365_: bool;
-    var phi_2512_: bool;
-    var phi_2203_: type_42;
-    var phi_2204_: u32;
-    var phi_2205_: bool;
-    var phi_2206_: u32;
-    var phi_2511_: bool;
-    var phi_2207_: type_42;
-    var phi_2208_: u32;
-    var phi_2209_: u32;
-    var phi_2210_: bool;
-    var phi_2211_: u32;
-    var phi_2510_: bool;
-    var phi_2212_: type_42;
-    var phi_2213_: u32;
-    var phi_2214_: u32;
-    var phi_2215_: bool;
-    var phi_2216_: u32;
+    var phi_268_: u32;
+    var phi_373_: i32;
+    var phi_374_: i32;
+    var phi_384_: bool;
+    var phi_394_: u32;
+    var phi_395_: u32;
+    var phi_397_: bool;
+    var phi_402_: u32;
+    var phi_434_: i32;
+    var phi_452_: f32;
+    var phi_458_: f32;
+    var phi_498_: f32;
+    var phi_504_: f32;
+    var phi_556_: f32;
+    var phi_567_: f32;
+    var phi_576_: f32;
+    var phi_582_: f32;
+    var phi_622_: f32;
+    var phi_628_: f32;
+    var phi_680_: f32;
+    var phi_691_: f32;
+    var phi_700_: f32;
+    var phi_706_: f32;
+    var phi_746_: f32;
+    var phi_752_: f32;
+    var phi_804_: f32;
+    var phi_815_: f32;
+    var phi_870_: i32;
+    var phi_892_: u32;
+    var phi_893_: u32;
+    var phi_930_: i32;
+    var phi_952_: u32;
+    var phi_953_: u32;
+    var phi_961_: f32;
+    var phi_962_: f32;
+    var phi_2773_: bool;
+    var phi_973_: type_42;
+    var phi_976_: u32;
+    var phi_978_: u32;
+    var phi_980_: bool;
+    var phi_982_: u32;
+    var phi_993_: bool;
+    var phi_1025_: u32;
+    var phi_1026_: bool;
+    var phi_1027_: u32;
+    var phi_2112_: type_47;
+    var phi_2456_: u32;
+    var phi_2484_: u32;
+    var phi_2485_: u32;
+    var phi_2486_: u32;
+    var phi_2488_: u32;
+    var phi_2489_: u32;
+    var phi_2490_: bool;
+    var phi_2499_: u32;
+    var phi_2504_: u32;
+    var phi_2505_: bool;
+    var phi_1042_: type_42;
+    var phi_1045_: type_7;
+    var phi_1046_: type_7;
+    var phi_1068_: type_7;
+    var phi_1089_: u32;
+    var phi_1178_: array<array<f32, 3>, 3>;
+    var phi_1295_: bool;
+    var phi_1324_: bool;
+    var phi_1725_: f32;
+    var phi_1726_: f32;
+    var phi_1727_: f32;
+    var phi_1728_: f32;
+    var phi_1729_: vec3<f32>;
+    var phi_1730_: vec3<f32>;
+    var phi_1731_: vec3<f32>;
+    var phi_1732_: vec3<f32>;
+    var phi_1763_: bool;
+    var phi_1772_: vec3<f32>;
+    var phi_1937_: f32;
+    var phi_1939_: f32;
+    var phi_1940_: bool;
+    var phi_1960_: f32;
+    var phi_1961_: f32;
+    var phi_1984_: type_22;
+    var phi_1986_: type_22;
+    var phi_1987_: bool;
+    var phi_1991_: type_22;
+    var phi_1992_: type_22;
+    var phi_1993_: type_22;
+    var phi_1994_: bool;
+    var phi_1998_: type_22;
+    var phi_1999_: bool;
+    var phi_2000_: type_22;
+    var phi_2001_: bool;
+    var phi_2002_: bool;
+    var phi_2003_: type_22;
+    var phi_2004_: bool;
+    var phi_2005_: bool;
+    var phi_2013_: type_22;
+    var phi_2014_: bool;
+    var phi_2018_: type_22;
+    var phi_2043_: bool;
+    var phi_2044_: bool;
+    var phi_2050_: type_42;
+    var phi_2051_: type_42;
+    var phi_2052_: type_42;
+    var phi_1043_: type_42;
+    var phi_2767_: bool;
+    var phi_2932_: bool;
+    var phi_2507_: type_42;
+    var phi_2508_: u32;
     var phi_2509_: bool;
-    var phi_670_: type_42;
-    var phi_673_: u32;
-    var phi_675_: u32;
-    var phi_677_: bool;
-    var phi_679_: u32;
-    var phi_2217_: bool;
-    var phi_2508_: bool;
+    var phi_2510_: u32;
+    var phi_2931_: bool;
+    var phi_2511_: type_42;
+    var phi_2512_: u32;
+    var phi_2513_: u32;
+    var phi_2514_: bool;
+    var phi_2515_: u32;
+    var phi_2930_: bool;
+    var phi_2516_: type_42;
+    var phi_2517_: u32;
+    var phi_2518_: u32;
+    var phi_2519_: bool;
+    var phi_2520_: u32;
+    var phi_2929_: bool;
+    var phi_974_: type_42;
+    var phi_977_: u32;
+    var phi_979_: u32;
+    var phi_981_: bool;
+    var phi_983_: u32;
+    var phi_2521_: bool;
+    var phi_2928_: bool;
     var local_2: type_42;
-    var phi_2269_: type_22;
+    var phi_2559_: f32;
+    var phi_2561_: f32;
+    var phi_2562_: bool;
+    var phi_2563_: f32;
+    var phi_2564_: bool;
+    var phi_2712_: u32;
+    var phi_2730_: bool;
+    var phi_2733_: bool;
+    var phi_2746_: f32;
+    var phi_2747_: f32;
+    var phi_2752_: f32;
+    var phi_2753_: f32;
+    var phi_2754_: bool;
+    var phi_2762_: f32;
+    var phi_2579_: f32;
+    var phi_2580_: f32;
+    var phi_2592_: f32;
+    var phi_2597_: type_22;
     var local_3: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e66 = global;
-            let _e68 = arrayLength((&global_2.member));
-            let _e70 = arrayLength((&global_1.member));
-            let _e76 = arrayLength((&global_5.member));
-            let _e80 = (_e66.x + (_e66.y * 2097152u));
-            let _e81 = (_e80 < arrayLength((&global_3.member)));
-            if _e81 {
-                if _e81 {
+            let _e74 = global;
+            let _e76 = arrayLength((&global_2.member));
+            let _e78 = arrayLength((&global_1.member));
+            let _e84 = arrayLength((&global_5.member));
+            let _e88 = (_e74.x + (_e74.y * 2097152u));
+            let _e89 = (_e88 < arrayLength((&global_3.member)));
+            if _e89 {
+                if _e89 {
                 } else {
                     break;
                 }
-                let _e85 = global_3.member[_e80].member_2;
-                phi_184_ = _e85;
+                let _e93 = global_3.member[_e88].member_2;
+                phi_268_ = _e93;
             } else {
-                phi_184_ = 4294967295u;
+                phi_268_ = 4294967295u;
             }
-            let _e87 = phi_184_;
-            if _e81 {
-                let _e88 = (_e80 < arrayLength((&global_4.member)));
-                if _e88 {
-                    if _e81 {
+            let _e95 = phi_268_;
+            if _e89 {
+                let _e96 = (_e88 < arrayLength((&global_4.member)));
+                if _e96 {
+                    if _e89 {
                     } else {
                         break;
                     }
-                    let _e98 = global_3.member[_e80].member.member_2[0u];
-                    let _e100 = (bitcast<u32>(_e98) & 2147483647u);
-                    let _e106 = global_3.member[_e80].member.member_2[1u];
+                    let _e106 = global_3.member[_e88].member.member_2[0u];
                     let _e108 = (bitcast<u32>(_e106) & 2147483647u);
-                    let _e114 = global_3.member[_e80].member.member_2[2u];
+                    let _e114 = global_3.member[_e88].member.member_2[1u];
                     let _e116 = (bitcast<u32>(_e114) & 2147483647u);
-                    let _e122 = global_3.member[_e80].member.member[0u];
+                    let _e122 = global_3.member[_e88].member.member_2[2u];
                     let _e124 = (bitcast<u32>(_e122) & 2147483647u);
-                    let _e130 = global_3.member[_e80].member.member[1u];
+                    let _e130 = global_3.member[_e88].member.member[0u];
                     let _e132 = (bitcast<u32>(_e130) & 2147483647u);
-                    let _e138 = global_3.member[_e80].member.member[2u];
+                    let _e138 = global_3.member[_e88].member.member[1u];
                     let _e140 = (bitcast<u32>(_e138) & 2147483647u);
-                    let _e142 = select(_e108, _e100, (_e108 < _e100));
-                    let _e144 = select(_e116, _e142, (_e116 < _e142));
-                    let _e146 = select(_e124, _e144, (_e124 < _e144));
-                    let _e148 = select(_e132, _e146, (_e132 < _e146));
-                    let _e150 = select(_e140, _e148, (_e140 < _e148));
-                    let _e155 = global_3.member[_e80].member.member_1;
-                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
-                    let _e165 = global_3.member[_e80].member.member_3;
-                    let _e171 = (((select(_e157, _e150, (_e157 < _e150)) < 2139095040u) && ((bitcast<u32>(_e165) & 2147483647u) <= 2139095040u)) && (_e144 > 0u));
-                    if _e171 {
-                        let _e174 = (bitcast<u32>(bitcast<f32>(_e144)) & 2147483647u);
-                        if (_e174 >= 8388608u) {
-                            phi_289_ = (bitcast<i32>((_e174 >> bitcast<u32>(23i))) - 127i);
+                    let _e146 = global_3.member[_e88].member.member[2u];
+                    let _e148 = (bitcast<u32>(_e146) & 2147483647u);
+                    let _e150 = select(_e116, _e108, (_e116 < _e108));
+                    let _e152 = select(_e124, _e150, (_e124 < _e150));
+                    let _e154 = select(_e132, _e152, (_e132 < _e152));
+                    let _e156 = select(_e140, _e154, (_e140 < _e154));
+                    let _e158 = select(_e148, _e156, (_e148 < _e156));
+                    let _e163 = global_3.member[_e88].member.member_1;
+                    let _e164 = bitcast<u32>(_e163);
+                    let _e165 = (_e164 & 2147483647u);
+                    let _e173 = global_3.member[_e88].member.member_3;
+                    let _e174 = bitcast<u32>(_e173);
+                    let _e175 = (_e174 & 2147483647u);
+                    let _e179 = (((select(_e165, _e158, (_e165 < _e158)) < 2139095040u) && (_e175 <= 2139095040u)) && (_e152 > 0u));
+                    if _e179 {
+                        let _e182 = (bitcast<u32>(bitcast<f32>(_e152)) & 2147483647u);
+                        if (_e182 >= 8388608u) {
+                            phi_373_ = (bitcast<i32>((_e182 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_289_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e174)), 32u, (_e174 == 0u))));
+                            phi_373_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e182)), 32u, (_e182 == 0u))));
                         }
-                        let _e188 = phi_289_;
-                        phi_290_ = _e188;
+                        let _e196 = phi_373_;
+                        phi_374_ = _e196;
                     } else {
-                        phi_290_ = 0i;
+                        phi_374_ = 0i;
                     }
-                    let _e190 = phi_290_;
-                    let _e191 = (_e100 == _e144);
-                    if _e191 {
-                        phi_300_ = true;
+                    let _e198 = phi_374_;
+                    let _e199 = (_e108 == _e152);
+                    if _e199 {
+                        phi_384_ = true;
                     } else {
-                        phi_300_ = (_e108 == _e144);
+                        phi_384_ = (_e116 == _e152);
                     }
-                    let _e194 = phi_300_;
-                    let _e195 = select(1u, 0u, _e191);
-                    if _e194 {
-                        let _e196 = (_e195 + 1u);
-                        phi_310_ = _e196;
-                        phi_311_ = _e196;
-                        phi_313_ = select(true, false, (_e196 == 2u));
+                    let _e202 = phi_384_;
+                    let _e203 = select(1u, 0u, _e199);
+                    if _e202 {
+                        let _e204 = (_e203 + 1u);
+                        phi_394_ = _e204;
+                        phi_395_ = _e204;
+                        phi_397_ = select(true, false, (_e204 == 2u));
                     } else {
-                        phi_310_ = u32();
-                        phi_311_ = 0u;
-                        phi_313_ = true;
+                        phi_394_ = u32();
+                        phi_395_ = 0u;
+                        phi_397_ = true;
                     }
-                    let _e200 = phi_310_;
-                    let _e202 = phi_311_;
-                    let _e204 = phi_313_;
-                    if _e204 {
-                        phi_318_ = (_e202 + 1u);
+                    let _e208 = phi_394_;
+                    let _e210 = phi_395_;
+                    let _e212 = phi_397_;
+                    if _e212 {
+                        phi_402_ = (_e210 + 1u);
                     } else {
-                        phi_318_ = 0u;
+                        phi_402_ = 0u;
                     }
-                    let _e208 = phi_318_;
-                    let _e209 = select(_e200, _e202, _e204);
-                    let _e210 = select(_e195, select(2u, _e195, _e194), _e204);
-                    let _e211 = -(_e190);
-                    if (_e211 < -126i) {
-                        phi_350_ = -126i;
+                    let _e216 = phi_402_;
+                    let _e217 = select(_e208, _e210, _e212);
+                    let _e218 = select(_e203, select(2u, _e203, _e202), _e212);
+                    let _e219 = -(_e198);
+                    if (_e219 < -126i) {
+                        phi_434_ = -126i;
                     } else {
-                        phi_350_ = select(_e211, 127i, (_e211 > 127i));
+                        phi_434_ = select(_e219, 127i, (_e219 > 127i));
                     }
-                    let _e216 = phi_350_;
-                    let _e221 = bitcast<f32>((bitcast<u32>((_e216 + 127i)) << bitcast<u32>(23i)));
-                    let _e227 = bitcast<f32>((bitcast<u32>(((_e211 - _e216) + 127i)) << bitcast<u32>(23i)));
-                    let _e232 = global_3.member[_e80].member.member;
-                    let _e233 = (_e209 == 0u);
-                    if _e233 {
-                        phi_368_ = _e232[0];
+                    let _e224 = phi_434_;
+                    let _e229 = bitcast<f32>((bitcast<u32>((_e224 + 127i)) << bitcast<u32>(23i)));
+                    let _e235 = bitcast<f32>((bitcast<u32>(((_e219 - _e224) + 127i)) << bitcast<u32>(23i)));
+                    let _e240 = global_3.member[_e88].member.member;
+                    let _e241 = (_e217 == 0u);
+                    if _e241 {
+                        phi_452_ = _e240[0];
                     } else {
-                        phi_368_ = _e232[1];
+                        phi_452_ = _e240[1];
                     }
-                    let _e237 = phi_368_;
-                    let _e238 = (_e209 == 2u);
-                    if _e238 {
-                        phi_374_ = _e232[2];
+                    let _e245 = phi_452_;
+                    let _e246 = (_e217 == 2u);
+                    if _e246 {
+                        phi_458_ = _e240[2];
                     } else {
-                        phi_374_ = _e237;
+                        phi_458_ = _e245;
                     }
-                    let _e241 = phi_374_;
-                    let _e242 = global_3.member[_e80].member.member_2;
-                    if _e233 {
-                        phi_385_ = _e242[0];
+                    let _e249 = phi_458_;
+                    let _e250 = bitcast<u32>(_e249);
+                    let _e252 = ((_e250 & 2139095040u) != 0u);
+                    let _e264 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e250 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e250 & 2147483648u))), _e249, _e252) * select(0.00000011920929f, 1f, _e252));
+                    let _e265 = global_3.member[_e88].member.member_2;
+                    if _e241 {
+                        phi_498_ = _e265[0];
                     } else {
-                        phi_385_ = _e242[1];
+                        phi_498_ = _e265[1];
                     }
-                    let _e246 = phi_385_;
-                    if _e238 {
-                        phi_391_ = _e242[2];
+                    let _e269 = phi_498_;
+                    if _e246 {
+                        phi_504_ = _e265[2];
                     } else {
-                        phi_391_ = _e246;
+                        phi_504_ = _e269;
                     }
-                    let _e249 = phi_391_;
-                    let _e251 = ((_e249 * _e221) * _e227);
-                    let _e255 = (bitcast<f32>((bitcast<u32>(_e251) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e255 {
-                        let _e259 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) * 0.00000011920929f);
-                        phi_414_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
+                    let _e272 = phi_504_;
+                    let _e273 = bitcast<u32>(_e272);
+                    let _e275 = ((_e273 & 2139095040u) != 0u);
+                    let _e289 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e273 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e273 & 2147483648u))), _e272, _e275) * _e229) * select(0.00000011920929f, 1f, _e275)) * _e235);
+                    let _e293 = (bitcast<f32>((bitcast<u32>(_e289) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e293 {
+                        let _e297 = (bitcast<f32>((bitcast<u32>(_e264) & 2147483647u)) * 0.00000011920929f);
+                        phi_556_ = select(0.00000000000011368684f, _e297, (_e297 > 0.00000000000011368684f));
                     } else {
-                        phi_414_ = 0f;
+                        phi_556_ = 0f;
                     }
-                    let _e263 = phi_414_;
-                    let _e264 = (_e241 + _e263);
-                    let _e265 = (_e241 - _e263);
-                    let _e266 = select(_e251, 0f, _e255);
-                    if _e255 {
-                        phi_425_ = 38685626000000000000000000f;
+                    let _e301 = phi_556_;
+                    let _e302 = (_e264 + _e301);
+                    let _e303 = (_e264 - _e301);
+                    let _e304 = select(_e289, 0f, _e293);
+                    if _e293 {
+                        phi_567_ = 38685626000000000000000000f;
                     } else {
-                        phi_425_ = (1f / _e251);
+                        phi_567_ = (1f / _e289);
                     }
-                    let _e269 = phi_425_;
-                    let _e270 = (_e208 == 0u);
-                    if _e270 {
-                        phi_434_ = _e232[0];
+                    let _e307 = phi_567_;
+                    let _e308 = (_e216 == 0u);
+                    if _e308 {
+                        phi_576_ = _e240[0];
                     } else {
-                        phi_434_ = _e232[1];
+                        phi_576_ = _e240[1];
                     }
-                    let _e274 = phi_434_;
-                    let _e275 = (_e208 == 2u);
-                    if _e275 {
-                        phi_440_ = _e232[2];
+                    let _e312 = phi_576_;
+                    let _e313 = (_e216 == 2u);
+                    if _e313 {
+                        phi_582_ = _e240[2];
                     } else {
-                        phi_440_ = _e274;
+                        phi_582_ = _e312;
                     }
-                    let _e278 = phi_440_;
-                    if _e270 {
-                        phi_451_ = _e242[0];
+                    let _e316 = phi_582_;
+                    let _e317 = bitcast<u32>(_e316);
+                    let _e319 = ((_e317 & 2139095040u) != 0u);
+                    let _e331 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e317 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e317 & 2147483648u))), _e316, _e319) * select(0.00000011920929f, 1f, _e319));
+                    if _e308 {
+                        phi_622_ = _e265[0];
                     } else {
-                        phi_451_ = _e242[1];
+                        phi_622_ = _e265[1];
                     }
-                    let _e282 = phi_451_;
-                    if _e275 {
-                        phi_457_ = _e242[2];
+                    let _e335 = phi_622_;
+                    if _e313 {
+                        phi_628_ = _e265[2];
                     } else {
-                        phi_457_ = _e282;
+                        phi_628_ = _e335;
                     }
-                    let _e285 = phi_457_;
-                    let _e287 = ((_e285 * _e221) * _e227);
-                    let _e291 = (bitcast<f32>((bitcast<u32>(_e287) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e291 {
-                        let _e295 = (bitcast<f32>((bitcast<u32>(_e278) & 2147483647u)) * 0.00000011920929f);
-                        phi_480_ = select(0.00000000000011368684f, _e295, (_e295 > 0.00000000000011368684f));
+                    let _e338 = phi_628_;
+                    let _e339 = bitcast<u32>(_e338);
+                    let _e341 = ((_e339 & 2139095040u) != 0u);
+                    let _e355 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e339 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e339 & 2147483648u))), _e338, _e341) * _e229) * select(0.00000011920929f, 1f, _e341)) * _e235);
+                    let _e359 = (bitcast<f32>((bitcast<u32>(_e355) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e359 {
+                        let _e363 = (bitcast<f32>((bitcast<u32>(_e331) & 2147483647u)) * 0.00000011920929f);
+                        phi_680_ = select(0.00000000000011368684f, _e363, (_e363 > 0.00000000000011368684f));
                     } else {
-                        phi_480_ = 0f;
+                        phi_680_ = 0f;
                     }
-                    let _e299 = phi_480_;
-                    let _e300 = (_e278 + _e299);
-                    let _e301 = (_e278 - _e299);
-                    let _e302 = select(_e287, 0f, _e291);
-                    if _e291 {
-                        phi_491_ = 38685626000000000000000000f;
+                    let _e367 = phi_680_;
+                    let _e368 = (_e331 + _e367);
+                    let _e369 = (_e331 - _e367);
+                    let _e370 = select(_e355, 0f, _e359);
+                    if _e359 {
+                        phi_691_ = 38685626000000000000000000f;
                     } else {
-                        phi_491_ = (1f / _e287);
+                        phi_691_ = (1f / _e355);
                     }
-                    let _e305 = phi_491_;
-                    let _e306 = (_e210 == 0u);
-                    if _e306 {
-                        phi_500_ = _e232[0];
+                    let _e373 = phi_691_;
+                    let _e374 = (_e218 == 0u);
+                    if _e374 {
+                        phi_700_ = _e240[0];
                     } else {
-                        phi_500_ = _e232[1];
+                        phi_700_ = _e240[1];
                     }
-                    let _e310 = phi_500_;
-                    let _e311 = (_e210 == 2u);
-                    if _e311 {
-                        phi_506_ = _e232[2];
+                    let _e378 = phi_700_;
+                    let _e379 = (_e218 == 2u);
+                    if _e379 {
+                        phi_706_ = _e240[2];
                     } else {
-                        phi_506_ = _e310;
+                        phi_706_ = _e378;
                     }
-                    let _e314 = phi_506_;
-                    if _e306 {
-                        phi_517_ = _e242[0];
+                    let _e382 = phi_706_;
+                    let _e383 = bitcast<u32>(_e382);
+                    let _e385 = ((_e383 & 2139095040u) != 0u);
+                    let _e397 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e383 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e383 & 2147483648u))), _e382, _e385) * select(0.00000011920929f, 1f, _e385));
+                    if _e374 {
+                        phi_746_ = _e265[0];
                     } else {
-                        phi_517_ = _e242[1];
+                        phi_746_ = _e265[1];
                     }
-                    let _e318 = phi_517_;
-                    if _e311 {
-                        phi_523_ = _e242[2];
+                    let _e401 = phi_746_;
+                    if _e379 {
+                        phi_752_ = _e265[2];
                     } else {
-                        phi_523_ = _e318;
+                        phi_752_ = _e401;
                     }
-                    let _e321 = phi_523_;
-                    let _e323 = ((_e321 * _e221) * _e227);
-                    let _e327 = (bitcast<f32>((bitcast<u32>(_e323) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e327 {
-                        let _e331 = (bitcast<f32>((bitcast<u32>(_e314) & 2147483647u)) * 0.00000011920929f);
-                        phi_546_ = select(0.00000000000011368684f, _e331, (_e331 > 0.00000000000011368684f));
+                    let _e404 = phi_752_;
+                    let _e405 = bitcast<u32>(_e404);
+                    let _e407 = ((_e405 & 2139095040u) != 0u);
+                    let _e421 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e405 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e405 & 2147483648u))), _e404, _e407) * _e229) * select(0.00000011920929f, 1f, _e407)) * _e235);
+                    let _e425 = (bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e425 {
+                        let _e429 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
+                        phi_804_ = select(0.00000000000011368684f, _e429, (_e429 > 0.00000000000011368684f));
                     } else {
-                        phi_546_ = 0f;
+                        phi_804_ = 0f;
                     }
-                    let _e335 = phi_546_;
-                    let _e336 = (_e314 + _e335);
-                    let _e337 = (_e314 - _e335);
-                    let _e338 = select(_e323, 0f, _e327);
-                    if _e327 {
-                        phi_557_ = 38685626000000000000000000f;
+                    let _e433 = phi_804_;
+                    let _e434 = (_e397 + _e433);
+                    let _e435 = (_e397 - _e433);
+                    let _e436 = select(_e421, 0f, _e425);
+                    if _e425 {
+                        phi_815_ = 38685626000000000000000000f;
                     } else {
-                        phi_557_ = (1f / _e323);
+                        phi_815_ = (1f / _e421);
                     }
-                    let _e341 = phi_557_;
-                    let _e344 = bitcast<f32>((bitcast<u32>(_e241) & 2147483647u));
-                    let _e347 = bitcast<f32>((bitcast<u32>(_e278) & 2147483647u));
-                    let _e349 = select(_e347, _e344, (_e344 > _e347));
-                    let _e352 = bitcast<f32>((bitcast<u32>(_e314) & 2147483647u));
-                    if (_e171 && (select(_e352, _e349, (_e349 > _e352)) <= 1099511600000f)) {
-                        let _e357 = (_e190 / 3i);
-                        let _e364 = bitcast<f32>((bitcast<u32>((_e357 + 127i)) << bitcast<u32>(23i)));
-                        let _e371 = bitcast<f32>((bitcast<u32>(((_e190 - (2i * _e357)) + 127i)) << bitcast<u32>(23i)));
-                        let _e372 = (((_e155 * _e364) * _e364) * _e371);
-                        let _e374 = select(340282350000000000000000000000000000000f, _e372, (_e372 < 340282350000000000000000000000000000000f));
-                        let _e379 = (((_e165 * _e364) * _e364) * _e371);
-                        let _e381 = select(340282350000000000000000000000000000000f, _e379, (_e379 < 340282350000000000000000000000000000000f));
-                        phi_657_ = select(-340282350000000000000000000000000000000f, _e381, (_e381 > -340282350000000000000000000000000000000f));
-                        phi_658_ = select(-340282350000000000000000000000000000000f, _e374, (_e374 > -340282350000000000000000000000000000000f));
+                    let _e439 = phi_815_;
+                    let _e442 = bitcast<f32>((bitcast<u32>(_e264) & 2147483647u));
+                    let _e445 = bitcast<f32>((bitcast<u32>(_e331) & 2147483647u));
+                    let _e447 = select(_e445, _e442, (_e442 > _e445));
+                    let _e450 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
+                    if (_e179 && (select(_e450, _e447, (_e447 > _e450)) <= 1099511600000f)) {
+                        let _e462 = ((_e165 & 8388607u) | (select(0u, 1u, ((_e165 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e465 = bitcast<i32>((_e165 >> bitcast<u32>(23i)));
+                        let _e469 = (_e462 == 0u);
+                        let _e472 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e462)), 32u, _e469)) - 8i);
+                        if (_e465 == 255i) {
+                            phi_870_ = 255i;
+                        } else {
+                            phi_870_ = (((_e465 + select(0i, 1i, (_e465 == 0i))) - _e472) + _e198);
+                        }
+                        let _e480 = phi_870_;
+                        let _e490 = (_e480 <= 0i);
+                        if _e490 {
+                            phi_893_ = u32();
+                        } else {
+                            if _e469 {
+                                phi_892_ = u32();
+                            } else {
+                                phi_892_ = select(((bitcast<u32>(_e480) << bitcast<u32>(23i)) | ((_e462 << bitcast<u32>(((_e472 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e480 >= 255i));
+                            }
+                            let _e494 = phi_892_;
+                            phi_893_ = _e494;
+                        }
+                        let _e496 = phi_893_;
+                        let _e508 = ((_e175 & 8388607u) | (select(0u, 1u, ((_e175 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e511 = bitcast<i32>((_e175 >> bitcast<u32>(23i)));
+                        let _e515 = (_e508 == 0u);
+                        let _e518 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e508)), 32u, _e515)) - 8i);
+                        if (_e511 == 255i) {
+                            phi_930_ = 255i;
+                        } else {
+                            phi_930_ = (((_e511 + select(0i, 1i, (_e511 == 0i))) - _e518) + _e198);
+                        }
+                        let _e526 = phi_930_;
+                        let _e536 = (_e526 <= 0i);
+                        if _e536 {
+                            phi_953_ = u32();
+                        } else {
+                            if _e515 {
+                                phi_952_ = u32();
+                            } else {
+                                phi_952_ = select(((bitcast<u32>(_e526) << bitcast<u32>(23i)) | ((_e508 << bitcast<u32>(((_e518 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e526 >= 255i));
+                            }
+                            let _e540 = phi_952_;
+                            phi_953_ = _e540;
+                        }
+                        let _e542 = phi_953_;
+                        phi_961_ = bitcast<f32>(((_e174 & 2147483648u) | select(_e542, 0u, select(_e515, true, _e536))));
+                        phi_962_ = bitcast<f32>(((_e164 & 2147483648u) | select(_e496, 0u, select(_e469, true, _e490))));
                     } else {
-                        phi_657_ = 0f;
-                        phi_658_ = 1f;
+                        phi_961_ = 0f;
+                        phi_962_ = 1f;
                     }
-                    let _e385 = phi_657_;
-                    let _e387 = phi_658_;
+                    let _e548 = phi_961_;
+                    let _e550 = phi_962_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2371_ = false;
-                    phi_669_ = type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e385);
-                    phi_672_ = select(0u, 2147483648u, (_e68 == 0u));
-                    phi_674_ = ((3u * _e68) + 1u);
-                    phi_676_ = (_e387 <= _e385);
-                    phi_678_ = 0u;
+                    phi_2773_ = false;
+                    phi_973_ = type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e548);
+                    phi_976_ = select(0u, 2147483648u, (_e76 == 0u));
+                    phi_978_ = ((3u * _e76) + 1u);
+                    phi_980_ = (_e550 <= _e548);
+                    phi_982_ = 0u;
                     loop {
-                        let _e395 = phi_2371_;
-                        let _e397 = phi_669_;
-                        let _e399 = phi_672_;
-                        let _e401 = phi_674_;
-                        let _e403 = phi_676_;
-                        let _e405 = phi_678_;
-                        local_2 = _e397;
-                        if _e403 {
-                            phi_689_ = true;
+                        let _e558 = phi_2773_;
+                        let _e560 = phi_973_;
+                        let _e562 = phi_976_;
+                        let _e564 = phi_978_;
+                        let _e566 = phi_980_;
+                        let _e568 = phi_982_;
+                        local_2 = _e560;
+                        if _e566 {
+                            phi_993_ = true;
                         } else {
-                            phi_689_ = (_e405 > 0u);
+                            phi_993_ = (_e568 > 0u);
                         }
-                        let _e408 = phi_689_;
-                        if _e408 {
-                            let _e409 = (_e401 > 0u);
-                            if _e409 {
-                                if _e403 {
-                                    phi_721_ = _e399;
-                                    phi_722_ = _e403;
-                                    phi_723_ = _e405;
+                        let _e571 = phi_993_;
+                        if _e571 {
+                            let _e572 = (_e564 > 0u);
+                            if _e572 {
+                                if _e566 {
+                                    phi_1025_ = _e562;
+                                    phi_1026_ = _e566;
+                                    phi_1027_ = _e568;
                                 } else {
-                                    let _e410 = (_e405 - 1u);
-                                    let _e411 = (_e410 % 128u);
-                                    let _e412 = (_e411 < 128u);
-                                    if _e412 {
+                                    let _e573 = (_e568 - 1u);
+                                    let _e574 = (_e573 % 128u);
+                                    let _e575 = (_e574 < 128u);
+                                    if _e575 {
                                     } else {
-                                        phi_2508_ = true;
+                                        phi_2928_ = true;
                                         break;
                                     }
-                                    let _e414 = local_1[_e411];
-                                    if _e412 {
+                                    let _e577 = local_1[_e574];
+                                    if _e575 {
                                     } else {
-                                        phi_2508_ = true;
+                                        phi_2928_ = true;
                                         break;
                                     }
-                                    let _e416 = local[_e411];
-                                    phi_721_ = _e414;
-                                    phi_722_ = (_e416 <= _e397.member_1);
-                                    phi_723_ = _e410;
+                                    let _e579 = local[_e574];
+                                    phi_1025_ = _e577;
+                                    phi_1026_ = (_e579 <= _e560.member_1);
+                                    phi_1027_ = _e573;
                                 }
-                                let _e420 = phi_721_;
-                                let _e422 = phi_722_;
-                                let _e424 = phi_723_;
-                                if _e422 {
-                                    if ((_e420 & 2147483648u) != 0u) {
-                                        phi_738_ = _e397;
-                                        phi_741_ = type_7(0u, ((_e420 >> bitcast<u32>(28u)) & 7u));
+                                let _e583 = phi_1025_;
+                                let _e585 = phi_1026_;
+                                let _e587 = phi_1027_;
+                                if _e585 {
+                                    if ((_e583 & 2147483648u) != 0u) {
+                                        phi_1042_ = _e560;
+                                        phi_1045_ = type_7(0u, ((_e583 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e622 = phi_738_;
-                                            let _e624 = phi_741_;
-                                            local_3 = _e622;
-                                            if (_e624.member < _e624.member_1) {
-                                                phi_742_ = type_7((_e624.member + 1u), _e624.member_1);
-                                                phi_764_ = type_7(1u, _e624.member);
+                                            let _e785 = phi_1042_;
+                                            let _e787 = phi_1045_;
+                                            local_3 = _e785;
+                                            if (_e787.member < _e787.member_1) {
+                                                phi_1046_ = type_7((_e787.member + 1u), _e787.member_1);
+                                                phi_1068_ = type_7(1u, _e787.member);
                                             } else {
-                                                phi_742_ = _e624;
-                                                phi_764_ = type_7(0u, type_7().member_1);
+                                                phi_1046_ = _e787;
+                                                phi_1068_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e637 = phi_742_;
-                                            let _e639 = phi_764_;
-                                            let _e643 = (bitcast<i32>(_e639.member) != 0i);
-                                            if _e643 {
-                                                let _e644 = ((_e420 & 268435455u) + _e639.member_1);
-                                                let _e645 = (_e644 < _e70);
-                                                if _e645 {
-                                                    if _e645 {
+                                            let _e800 = phi_1046_;
+                                            let _e802 = phi_1068_;
+                                            let _e806 = (bitcast<i32>(_e802.member) != 0i);
+                                            if _e806 {
+                                                let _e807 = ((_e583 & 268435455u) + _e802.member_1);
+                                                let _e808 = (_e807 < _e78);
+                                                if _e808 {
+                                                    if _e808 {
                                                     } else {
-                                                        phi_2365_ = true;
+                                                        phi_2767_ = true;
                                                         break;
                                                     }
-                                                    let _e649 = global_1.member[_e644].member_1;
-                                                    phi_785_ = _e649;
+                                                    let _e812 = global_1.member[_e807].member_1;
+                                                    phi_1089_ = _e812;
                                                 } else {
-                                                    phi_785_ = 4294967295u;
+                                                    phi_1089_ = 4294967295u;
                                                 }
-                                                let _e651 = phi_785_;
-                                                if (_e644 >= _e70) {
-                                                    phi_874_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e814 = phi_1089_;
+                                                if (_e807 >= _e78) {
+                                                    phi_1178_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e645 {
+                                                    if _e808 {
                                                     } else {
-                                                        phi_2365_ = true;
+                                                        phi_2767_ = true;
                                                         break;
                                                     }
-                                                    let _e653 = (_e209 % 3u);
-                                                    let _e654 = (_e208 % 3u);
-                                                    let _e655 = (_e210 % 3u);
-                                                    if (_e653 < 9u) {
+                                                    let _e816 = (_e217 % 3u);
+                                                    let _e817 = (_e216 % 3u);
+                                                    let _e818 = (_e218 % 3u);
+                                                    if (_e816 < 9u) {
                                                     } else {
-                                                        phi_2365_ = true;
+                                                        phi_2767_ = true;
                                                         break;
                                                     }
-                                                    let _e661 = global_1.member[_e644].member[_e653];
-                                                    if (_e654 < 9u) {
+                                                    let _e824 = global_1.member[_e807].member[_e816];
+                                                    if (_e817 < 9u) {
                                                     } else {
-                                                        phi_2365_ = true;
+                                                        phi_2767_ = true;
                                                         break;
                                                     }
-                                                    let _e667 = global_1.member[_e644].member[_e654];
-                                                    if (_e655 < 9u) {
+                                                    let _e830 = global_1.member[_e807].member[_e817];
+                                                    if (_e818 < 9u) {
                                                     } else {
-                                                        phi_2365_ = true;
+                                                        phi_2767_ = true;
                                                         break;
                                                     }
-                                                    let _e673 = global_1.member[_e644].member[_e655];
-                                                    let _e675 = (3u + _e653);
-                                                    if (_e675 < 9u) {
+                                                    let _e836 = global_1.member[_e807].member[_e818];
+                                                    let _e838 = (3u + _e816);
+                                                    if (_e838 < 9u) {
                                                     } else {
-                                                        phi_2365_ = true;
+                                                        phi_2767_ = true;
                                                         break;
                                                     }
-                                                    let _e681 = global_1.member[_e644].member[_e675];
-                                                    let _e682 = (3u + _e654);
-                                                    if (_e682 < 9u) {
+                                                    let _e844 = global_1.member[_e807].member[_e838];
+                                                    let _e845 = (3u + _e817);
+                                                    if (_e845 < 9u) {
                                                     } else {
-                                                        phi_2365_ = true;
+                                                        phi_2767_ = true;
                                                         break;
                                                     }
-                                                    let _e688 = global_1.member[_e644].member[_e682];
-                                                    let _e689 = (3u + _e655);
-                                                    if (_e689 < 9u) {
+                                                    let _e851 = global_1.member[_e807].member[_e845];
+                                                    let _e852 = (3u + _e818);
+                                                    if (_e852 < 9u) {
                                                     } else {
-                                                        phi_2365_ = true;
+                                                        phi_2767_ = true;
                                                         break;
                                                     }
-                                                    let _e695 = global_1.member[_e644].member[_e689];
-                                                    let _e697 = (6u + _e653);
-                                                    if (_e697 < 9u) {
+                                                    let _e858 = global_1.member[_e807].member[_e852];
+                                                    let _e860 = (6u + _e816);
+                                                    if (_e860 < 9u) {
                                                     } else {
-                                                        phi_2365_ = true;
+                                                        phi_2767_ = true;
                                                         break;
                                                     }
-                                                    let _e703 = global_1.member[_e644].member[_e697];
-                                                    let _e704 = (6u + _e654);
-                                                    if (_e704 < 9u) {
+                                                    let _e866 = global_1.member[_e807].member[_e860];
+                                                    let _e867 = (6u + _e817);
+                                                    if (_e867 < 9u) {
                                                     } else {
-                                                        phi_2365_ = true;
+                                                        phi_2767_ = true;
                                                         break;
                                                     }
-                                                    let _e710 = global_1.member[_e644].member[_e704];
-                                                    let _e711 = (6u + _e655);
-                                                    if (_e711 < 9u) {
+                                                    let _e873 = global_1.member[_e807].member[_e867];
+                                                    let _e874 = (6u + _e818);
+                                                    if (_e874 < 9u) {
                                                     } else {
-                                                        phi_2365_ = true;
+                                                        phi_2767_ = true;
                                                         break;
                                                     }
-                                                    let _e717 = global_1.member[_e644].member[_e711];
-                                                    phi_874_ = array<array<f32, 3>, 3>(array<f32, 3>(_e661, _e667, _e673), array<f32, 3>(_e681, _e688, _e695), array<f32, 3>(_e703, _e710, _e717));
+                                                    let _e880 = global_1.member[_e807].member[_e874];
+                                                    phi_1178_ = array<array<f32, 3>, 3>(array<f32, 3>(_e824, _e830, _e836), array<f32, 3>(_e844, _e851, _e858), array<f32, 3>(_e866, _e873, _e880));
                                                 }
-                                                let _e721 = phi_874_;
-                                                let _e729 = (_e721[0][2] - _e314);
-                                                let _e732 = (((_e721[0][0] - _e241) * _e338) - (_e729 * _e266));
-                                                let _e735 = (((_e721[0][1] - _e278) * _e338) - (_e729 * _e302));
-                                                let _e742 = (_e721[1][2] - _e314);
-                                                let _e745 = (((_e721[1][0] - _e241) * _e338) - (_e742 * _e266));
-                                                let _e748 = (((_e721[1][1] - _e278) * _e338) - (_e742 * _e302));
-                                                let _e755 = (_e721[2][2] - _e314);
-                                                let _e758 = (((_e721[2][0] - _e241) * _e338) - (_e755 * _e266));
-                                                let _e761 = (((_e721[2][1] - _e278) * _e338) - (_e755 * _e302));
-                                                let _e762 = (_e758 * _e748);
-                                                let _e763 = (_e761 * _e745);
-                                                let _e764 = (_e732 * _e761);
-                                                let _e765 = (_e735 * _e758);
-                                                let _e766 = (_e745 * _e735);
-                                                let _e767 = (_e748 * _e732);
-                                                let _e772 = (((_e762 >= _e763) && (_e764 >= _e765)) && (_e766 >= _e767));
-                                                if (_e772 || (((_e762 <= _e763) && (_e764 <= _e765)) && (_e766 <= _e767))) {
-                                                    let _e779 = select(-1f, 1f, _e772);
-                                                    let _e781 = ((_e762 - _e763) * _e779);
-                                                    let _e783 = select(0f, _e781, (_e781 > 0f));
-                                                    let _e785 = ((_e764 - _e765) * _e779);
-                                                    let _e787 = select(0f, _e785, (_e785 > 0f));
-                                                    let _e789 = ((_e766 - _e767) * _e779);
-                                                    let _e791 = select(0f, _e789, (_e789 > 0f));
-                                                    let _e793 = ((_e783 + _e787) + _e791);
-                                                    if (_e793 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1699_ = type_22();
-                                                        phi_1700_ = true;
-                                                        phi_1701_ = false;
+                                                let _e884 = phi_1178_;
+                                                let _e892 = (_e884[0][2] - _e397);
+                                                let _e895 = (((_e884[0][0] - _e264) * _e436) - (_e892 * _e304));
+                                                let _e898 = (((_e884[0][1] - _e331) * _e436) - (_e892 * _e370));
+                                                let _e905 = (_e884[1][2] - _e397);
+                                                let _e908 = (((_e884[1][0] - _e264) * _e436) - (_e905 * _e304));
+                                                let _e911 = (((_e884[1][1] - _e331) * _e436) - (_e905 * _e370));
+                                                let _e918 = (_e884[2][2] - _e397);
+                                                let _e921 = (((_e884[2][0] - _e264) * _e436) - (_e918 * _e304));
+                                                let _e924 = (((_e884[2][1] - _e331) * _e436) - (_e918 * _e370));
+                                                let _e925 = (_e921 * _e911);
+                                                let _e926 = (_e924 * _e908);
+                                                let _e927 = (_e895 * _e924);
+                                                let _e928 = (_e898 * _e921);
+                                                let _e929 = (_e908 * _e898);
+                                                let _e930 = (_e911 * _e895);
+                                                let _e935 = (((_e925 >= _e926) && (_e927 >= _e928)) && (_e929 >= _e930));
+                                                if (_e935 || (((_e925 <= _e926) && (_e927 <= _e928)) && (_e929 <= _e930))) {
+                                                    let _e942 = select(-1f, 1f, _e935);
+                                                    let _e944 = ((_e925 - _e926) * _e942);
+                                                    let _e946 = select(0f, _e944, (_e944 > 0f));
+                                                    let _e948 = ((_e927 - _e928) * _e942);
+                                                    let _e950 = select(0f, _e948, (_e948 > 0f));
+                                                    let _e952 = ((_e929 - _e930) * _e942);
+                                                    let _e954 = select(0f, _e952, (_e952 > 0f));
+                                                    let _e956 = ((_e946 + _e950) + _e954);
+                                                    if (_e956 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2003_ = type_22();
+                                                        phi_2004_ = true;
+                                                        phi_2005_ = false;
                                                     } else {
-                                                        let _e796 = select(_e745, _e732, (_e732 < _e745));
-                                                        if (select(_e758, _e796, (_e796 < _e758)) > 0f) {
-                                                            phi_991_ = true;
+                                                        let _e959 = select(_e908, _e895, (_e895 < _e908));
+                                                        if (select(_e921, _e959, (_e959 < _e921)) > 0f) {
+                                                            phi_1295_ = true;
                                                         } else {
-                                                            let _e801 = select(_e745, _e732, (_e732 > _e745));
-                                                            phi_991_ = (select(_e758, _e801, (_e801 > _e758)) < 0f);
+                                                            let _e964 = select(_e908, _e895, (_e895 > _e908));
+                                                            phi_1295_ = (select(_e921, _e964, (_e964 > _e921)) < 0f);
                                                         }
-                                                        let _e806 = phi_991_;
-                                                        if _e806 {
-                                                            phi_1696_ = type_22();
-                                                            phi_1697_ = true;
-                                                            phi_1698_ = false;
+                                                        let _e969 = phi_1295_;
+                                                        if _e969 {
+                                                            phi_2000_ = type_22();
+                                                            phi_2001_ = true;
+                                                            phi_2002_ = false;
                                                         } else {
-                                                            let _e808 = select(_e748, _e735, (_e735 < _e748));
-                                                            if (select(_e761, _e808, (_e808 < _e761)) > 0f) {
-                                                                phi_1020_ = true;
+                                                            let _e971 = select(_e911, _e898, (_e898 < _e911));
+                                                            if (select(_e924, _e971, (_e971 < _e924)) > 0f) {
+                                                                phi_1324_ = true;
                                                             } else {
-                                                                let _e813 = select(_e748, _e735, (_e735 > _e748));
-                                                                phi_1020_ = (select(_e761, _e813, (_e813 > _e761)) < 0f);
+                                                                let _e976 = select(_e911, _e898, (_e898 > _e911));
+                                                                phi_1324_ = (select(_e924, _e976, (_e976 > _e924)) < 0f);
                                                             }
-                                                            let _e818 = phi_1020_;
-                                                            if _e818 {
-                                                                phi_1694_ = type_22();
-                                                                phi_1695_ = false;
+                                                            let _e981 = phi_1324_;
+                                                            if _e981 {
+                                                                phi_1998_ = type_22();
+                                                                phi_1999_ = false;
                                                             } else {
-                                                                let _e820 = select(_e721[1][0], _e721[0][0], (_e721[0][0] < _e721[1][0]));
-                                                                let _e824 = select(_e721[1][0], _e721[0][0], (_e721[0][0] > _e721[1][0]));
-                                                                let _e828 = select(_e721[1][1], _e721[0][1], (_e721[0][1] < _e721[1][1]));
-                                                                let _e832 = select(_e721[1][1], _e721[0][1], (_e721[0][1] > _e721[1][1]));
-                                                                let _e836 = select(_e721[1][2], _e721[0][2], (_e721[0][2] < _e721[1][2]));
-                                                                let _e840 = select(_e721[1][2], _e721[0][2], (_e721[0][2] > _e721[1][2]));
-                                                                let _e845 = ((select(_e721[2][0], _e820, (_e820 < _e721[2][0])) - _e264) * _e269);
-                                                                let _e846 = ((select(_e721[2][0], _e824, (_e824 > _e721[2][0])) - _e265) * _e269);
-                                                                let _e849 = ((select(_e721[2][1], _e828, (_e828 < _e721[2][1])) - _e300) * _e305);
-                                                                let _e850 = ((select(_e721[2][1], _e832, (_e832 > _e721[2][1])) - _e301) * _e305);
-                                                                let _e853 = ((select(_e721[2][2], _e836, (_e836 < _e721[2][2])) - _e336) * _e341);
-                                                                let _e854 = ((select(_e721[2][2], _e840, (_e840 > _e721[2][2])) - _e337) * _e341);
-                                                                let _e856 = select(_e854, _e853, (_e853 < _e854));
-                                                                let _e858 = select(_e854, _e853, (_e853 > _e854));
-                                                                let _e860 = select(_e846, _e845, (_e845 < _e846));
-                                                                let _e862 = select(_e850, _e849, (_e849 < _e850));
-                                                                let _e864 = select(_e862, _e860, (_e860 > _e862));
-                                                                let _e866 = select(_e856, _e864, (_e864 > _e856));
-                                                                let _e868 = select(_e846, _e845, (_e845 > _e846));
-                                                                let _e870 = select(_e850, _e849, (_e849 > _e850));
-                                                                let _e872 = select(_e870, _e868, (_e868 < _e870));
-                                                                let _e874 = select(_e858, _e872, (_e872 < _e858));
-                                                                let _e875 = -(_e856);
-                                                                let _e881 = select(_e387, _e866, (_e866 > _e387));
-                                                                if (_e881 > (_e874 + (select(_e875, _e858, (_e858 > _e875)) * 0.0000019073523f))) {
-                                                                    phi_1689_ = type_22();
-                                                                    phi_1690_ = true;
+                                                                let _e983 = select(_e884[1][0], _e884[0][0], (_e884[0][0] < _e884[1][0]));
+                                                                let _e987 = select(_e884[1][0], _e884[0][0], (_e884[0][0] > _e884[1][0]));
+                                                                let _e991 = select(_e884[1][1], _e884[0][1], (_e884[0][1] < _e884[1][1]));
+                                                                let _e995 = select(_e884[1][1], _e884[0][1], (_e884[0][1] > _e884[1][1]));
+                                                                let _e999 = select(_e884[1][2], _e884[0][2], (_e884[0][2] < _e884[1][2]));
+                                                                let _e1003 = select(_e884[1][2], _e884[0][2], (_e884[0][2] > _e884[1][2]));
+                                                                let _e1008 = ((select(_e884[2][0], _e983, (_e983 < _e884[2][0])) - _e302) * _e307);
+                                                                let _e1009 = ((select(_e884[2][0], _e987, (_e987 > _e884[2][0])) - _e303) * _e307);
+                                                                let _e1012 = ((select(_e884[2][1], _e991, (_e991 < _e884[2][1])) - _e368) * _e373);
+                                                                let _e1013 = ((select(_e884[2][1], _e995, (_e995 > _e884[2][1])) - _e369) * _e373);
+                                                                let _e1016 = ((select(_e884[2][2], _e999, (_e999 < _e884[2][2])) - _e434) * _e439);
+                                                                let _e1017 = ((select(_e884[2][2], _e1003, (_e1003 > _e884[2][2])) - _e435) * _e439);
+                                                                let _e1019 = select(_e1017, _e1016, (_e1016 < _e1017));
+                                                                let _e1021 = select(_e1017, _e1016, (_e1016 > _e1017));
+                                                                let _e1023 = select(_e1009, _e1008, (_e1008 < _e1009));
+                                                                let _e1025 = select(_e1013, _e1012, (_e1012 < _e1013));
+                                                                let _e1027 = select(_e1025, _e1023, (_e1023 > _e1025));
+                                                                let _e1029 = select(_e1019, _e1027, (_e1027 > _e1019));
+                                                                let _e1031 = select(_e1009, _e1008, (_e1008 > _e1009));
+                                                                let _e1033 = select(_e1013, _e1012, (_e1012 > _e1013));
+                                                                let _e1035 = select(_e1033, _e1031, (_e1031 < _e1033));
+                                                                let _e1037 = select(_e1021, _e1035, (_e1035 < _e1021));
+                                                                let _e1038 = -(_e1019);
+                                                                let _e1044 = select(_e550, _e1029, (_e1029 > _e550));
+                                                                if (_e1044 > (_e1037 + (select(_e1038, _e1021, (_e1021 > _e1038)) * 0.0000019073523f))) {
+                                                                    phi_1993_ = type_22();
+                                                                    phi_1994_ = true;
                                                                 } else {
-                                                                    let _e883 = (_e881 > _e622.member_1);
-                                                                    if _e883 {
-                                                                        phi_1688_ = type_22();
+                                                                    let _e1046 = (_e1044 > _e785.member_1);
+                                                                    if _e1046 {
+                                                                        phi_1992_ = type_22();
                                                                     } else {
-                                                                        let _e884 = vec3<f32>(_e721[0][0], _e721[0][1], _e721[0][2]);
-                                                                        let _e885 = vec3<f32>(_e721[1][0], _e721[1][1], _e721[1][2]);
-                                                                        let _e886 = vec3<f32>(_e721[2][0], _e721[2][1], _e721[2][2]);
-                                                                        let _e887 = (_e721[1][0] - _e721[0][0]);
-                                                                        let _e888 = (_e721[1][1] - _e721[0][1]);
-                                                                        let _e889 = (_e721[1][2] - _e721[0][2]);
-                                                                        let _e890 = vec3<f32>(_e887, _e888, _e889);
-                                                                        let _e891 = (_e721[2][0] - _e721[1][0]);
-                                                                        let _e892 = (_e721[2][1] - _e721[1][1]);
-                                                                        let _e893 = (_e721[2][2] - _e721[1][2]);
-                                                                        let _e894 = vec3<f32>(_e891, _e892, _e893);
-                                                                        let _e895 = (_e721[0][0] - _e721[2][0]);
-                                                                        let _e896 = (_e721[0][1] - _e721[2][1]);
-                                                                        let _e897 = (_e721[0][2] - _e721[2][2]);
-                                                                        let _e898 = vec3<f32>(_e895, _e896, _e897);
-                                                                        let _e901 = bitcast<f32>((bitcast<u32>(_e887) & 2147483647u));
-                                                                        let _e904 = bitcast<f32>((bitcast<u32>(_e888) & 2147483647u));
-                                                                        let _e906 = select(_e904, _e901, (_e901 > _e904));
-                                                                        let _e909 = bitcast<f32>((bitcast<u32>(_e889) & 2147483647u));
-                                                                        let _e911 = select(_e909, _e906, (_e906 > _e909));
-                                                                        let _e914 = bitcast<f32>((bitcast<u32>(_e891) & 2147483647u));
-                                                                        let _e917 = bitcast<f32>((bitcast<u32>(_e892) & 2147483647u));
-                                                                        let _e919 = select(_e917, _e914, (_e914 > _e917));
-                                                                        let _e922 = bitcast<f32>((bitcast<u32>(_e893) & 2147483647u));
-                                                                        let _e924 = select(_e922, _e919, (_e919 > _e922));
-                                                                        let _e927 = bitcast<f32>((bitcast<u32>(_e895) & 2147483647u));
-                                                                        let _e930 = bitcast<f32>((bitcast<u32>(_e896) & 2147483647u));
-                                                                        let _e932 = select(_e930, _e927, (_e927 > _e930));
-                                                                        let _e935 = bitcast<f32>((bitcast<u32>(_e897) & 2147483647u));
-                                                                        let _e937 = select(_e935, _e932, (_e932 > _e935));
-                                                                        let _e939 = select(_e924, _e911, (_e911 > _e924));
-                                                                        let _e941 = select(_e937, _e939, (_e939 > _e937));
-                                                                        if (_e911 == _e941) {
-                                                                            phi_1421_ = _e748;
-                                                                            phi_1422_ = _e745;
-                                                                            phi_1423_ = _e735;
-                                                                            phi_1424_ = _e732;
-                                                                            phi_1425_ = _e884;
-                                                                            phi_1426_ = _e898;
-                                                                            phi_1427_ = _e894;
-                                                                            phi_1428_ = _e890;
+                                                                        let _e1047 = vec3<f32>(_e884[0][0], _e884[0][1], _e884[0][2]);
+                                                                        let _e1048 = vec3<f32>(_e884[1][0], _e884[1][1], _e884[1][2]);
+                                                                        let _e1049 = vec3<f32>(_e884[2][0], _e884[2][1], _e884[2][2]);
+                                                                        let _e1050 = (_e884[1][0] - _e884[0][0]);
+                                                                        let _e1051 = (_e884[1][1] - _e884[0][1]);
+                                                                        let _e1052 = (_e884[1][2] - _e884[0][2]);
+                                                                        let _e1053 = vec3<f32>(_e1050, _e1051, _e1052);
+                                                                        let _e1054 = (_e884[2][0] - _e884[1][0]);
+                                                                        let _e1055 = (_e884[2][1] - _e884[1][1]);
+                                                                        let _e1056 = (_e884[2][2] - _e884[1][2]);
+                                                                        let _e1057 = vec3<f32>(_e1054, _e1055, _e1056);
+                                                                        let _e1058 = (_e884[0][0] - _e884[2][0]);
+                                                                        let _e1059 = (_e884[0][1] - _e884[2][1]);
+                                                                        let _e1060 = (_e884[0][2] - _e884[2][2]);
+                                                                        let _e1061 = vec3<f32>(_e1058, _e1059, _e1060);
+                                                                        let _e1064 = bitcast<f32>((bitcast<u32>(_e1050) & 2147483647u));
+                                                                        let _e1067 = bitcast<f32>((bitcast<u32>(_e1051) & 2147483647u));
+                                                                        let _e1069 = select(_e1067, _e1064, (_e1064 > _e1067));
+                                                                        let _e1072 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
+                                                                        let _e1074 = select(_e1072, _e1069, (_e1069 > _e1072));
+                                                                        let _e1077 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
+                                                                        let _e1080 = bitcast<f32>((bitcast<u32>(_e1055) & 2147483647u));
+                                                                        let _e1082 = select(_e1080, _e1077, (_e1077 > _e1080));
+                                                                        let _e1085 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
+                                                                        let _e1087 = select(_e1085, _e1082, (_e1082 > _e1085));
+                                                                        let _e1090 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
+                                                                        let _e1093 = bitcast<f32>((bitcast<u32>(_e1059) & 2147483647u));
+                                                                        let _e1095 = select(_e1093, _e1090, (_e1090 > _e1093));
+                                                                        let _e1098 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
+                                                                        let _e1100 = select(_e1098, _e1095, (_e1095 > _e1098));
+                                                                        let _e1102 = select(_e1087, _e1074, (_e1074 > _e1087));
+                                                                        let _e1104 = select(_e1100, _e1102, (_e1102 > _e1100));
+                                                                        if (_e1074 == _e1104) {
+                                                                            phi_1725_ = _e911;
+                                                                            phi_1726_ = _e908;
+                                                                            phi_1727_ = _e898;
+                                                                            phi_1728_ = _e895;
+                                                                            phi_1729_ = _e1047;
+                                                                            phi_1730_ = _e1061;
+                                                                            phi_1731_ = _e1057;
+                                                                            phi_1732_ = _e1053;
                                                                         } else {
-                                                                            let _e943 = (_e924 == _e941);
-                                                                            let _e948 = vec3(_e943);
-                                                                            phi_1421_ = select(_e735, _e761, _e943);
-                                                                            phi_1422_ = select(_e732, _e758, _e943);
-                                                                            phi_1423_ = select(_e761, _e748, _e943);
-                                                                            phi_1424_ = select(_e758, _e745, _e943);
-                                                                            phi_1425_ = select(_e886, _e885, _e948);
-                                                                            phi_1426_ = select(_e894, _e890, _e948);
-                                                                            phi_1427_ = select(_e890, _e898, _e948);
-                                                                            phi_1428_ = select(_e898, _e894, _e948);
+                                                                            let _e1106 = (_e1087 == _e1104);
+                                                                            let _e1111 = vec3(_e1106);
+                                                                            phi_1725_ = select(_e898, _e924, _e1106);
+                                                                            phi_1726_ = select(_e895, _e921, _e1106);
+                                                                            phi_1727_ = select(_e924, _e911, _e1106);
+                                                                            phi_1728_ = select(_e921, _e908, _e1106);
+                                                                            phi_1729_ = select(_e1049, _e1048, _e1111);
+                                                                            phi_1730_ = select(_e1057, _e1053, _e1111);
+                                                                            phi_1731_ = select(_e1053, _e1061, _e1111);
+                                                                            phi_1732_ = select(_e1061, _e1057, _e1111);
                                                                         }
-                                                                        let _e954 = phi_1421_;
-                                                                        let _e956 = phi_1422_;
-                                                                        let _e958 = phi_1423_;
-                                                                        let _e960 = phi_1424_;
-                                                                        let _e962 = phi_1425_;
-                                                                        let _e964 = phi_1426_;
-                                                                        let _e966 = phi_1427_;
-                                                                        let _e968 = phi_1428_;
-                                                                        let _e975 = ((_e966.y * _e964.z) - (_e964.y * _e966.z));
-                                                                        let _e980 = ((_e966.z * _e964.x) - (_e964.z * _e966.x));
-                                                                        let _e983 = ((_e966.x * _e964.y) - (_e964.x * _e966.y));
-                                                                        if (_e783 >= _e787) {
-                                                                            phi_1459_ = select(true, false, (_e783 >= _e791));
+                                                                        let _e1117 = phi_1725_;
+                                                                        let _e1119 = phi_1726_;
+                                                                        let _e1121 = phi_1727_;
+                                                                        let _e1123 = phi_1728_;
+                                                                        let _e1125 = phi_1729_;
+                                                                        let _e1127 = phi_1730_;
+                                                                        let _e1129 = phi_1731_;
+                                                                        let _e1131 = phi_1732_;
+                                                                        let _e1138 = ((_e1129.y * _e1127.z) - (_e1127.y * _e1129.z));
+                                                                        let _e1143 = ((_e1129.z * _e1127.x) - (_e1127.z * _e1129.x));
+                                                                        let _e1146 = ((_e1129.x * _e1127.y) - (_e1127.x * _e1129.y));
+                                                                        if (_e946 >= _e950) {
+                                                                            phi_1763_ = select(true, false, (_e946 >= _e954));
                                                                         } else {
-                                                                            phi_1459_ = true;
+                                                                            phi_1763_ = true;
                                                                         }
-                                                                        let _e988 = phi_1459_;
-                                                                        if _e988 {
-                                                                            phi_1468_ = select(_e886, _e885, vec3((_e787 >= _e791)));
+                                                                        let _e1151 = phi_1763_;
+                                                                        if _e1151 {
+                                                                            phi_1772_ = select(_e1049, _e1048, vec3((_e950 >= _e954)));
                                                                         } else {
-                                                                            phi_1468_ = _e884;
+                                                                            phi_1772_ = _e1047;
                                                                         }
-                                                                        let _e993 = phi_1468_;
-                                                                        let _e1004 = (((_e975 * (_e993.x - _e241)) + (_e980 * (_e993.y - _e278))) + (_e983 * (_e993.z - _e314)));
-                                                                        let _e1009 = (((_e975 * _e266) + (_e980 * _e302)) + (_e983 * _e338));
-                                                                        let _e1010 = (_e956 - _e960);
-                                                                        let _e1011 = (_e954 - _e958);
-                                                                        let _e1019 = (-(((_e960 * _e1010) + (_e958 * _e1011))) / ((_e1010 * _e1010) + (_e1011 * _e1011)));
-                                                                        let _e1021 = select(1f, _e1019, (_e1019 < 1f));
-                                                                        let _e1023 = select(0f, _e1021, (_e1021 > 0f));
-                                                                        let _e1036 = ((_e962.x + (_e968.x * _e1023)) - _e241);
-                                                                        let _e1037 = ((_e962.y + (_e968.y * _e1023)) - _e278);
-                                                                        let _e1038 = ((_e962.z + (_e968.z * _e1023)) - _e314);
-                                                                        let _e1039 = (_e1038 / _e338);
-                                                                        let _e1051 = bitcast<f32>((bitcast<u32>(_e1036) & 2147483647u));
-                                                                        let _e1054 = bitcast<f32>((bitcast<u32>(_e1037) & 2147483647u));
-                                                                        let _e1056 = select(_e1054, _e1051, (_e1051 > _e1054));
-                                                                        let _e1059 = bitcast<f32>((bitcast<u32>(_e1038) & 2147483647u));
-                                                                        let _e1061 = select(_e1059, _e1056, (_e1056 > _e1059));
-                                                                        let _e1067 = bitcast<f32>((bitcast<u32>(_e975) & 2147483647u));
-                                                                        let _e1070 = bitcast<f32>((bitcast<u32>(_e980) & 2147483647u));
-                                                                        let _e1072 = select(_e1070, _e1067, (_e1067 > _e1070));
-                                                                        let _e1075 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e975 * _e1036) + (_e980 * _e1037)) + (_e983 * _e1038)) - _e1004)) & 2147483647u)) <= ((0.0000009536743f * select(_e941, _e1061, (_e1061 > _e941))) * select(_e1075, _e1072, (_e1072 > _e1075)))) {
-                                                                            let _e1085 = bitcast<f32>((bitcast<u32>(_e966.x) & 2147483647u));
-                                                                            let _e1088 = bitcast<f32>((bitcast<u32>(_e966.y) & 2147483647u));
-                                                                            let _e1090 = select(_e1088, _e1085, (_e1085 > _e1088));
-                                                                            let _e1093 = bitcast<f32>((bitcast<u32>(_e966.z) & 2147483647u));
-                                                                            let _e1099 = bitcast<f32>((bitcast<u32>(_e964.x) & 2147483647u));
-                                                                            let _e1102 = bitcast<f32>((bitcast<u32>(_e964.y) & 2147483647u));
-                                                                            let _e1104 = select(_e1102, _e1099, (_e1099 > _e1102));
-                                                                            let _e1107 = bitcast<f32>((bitcast<u32>(_e964.z) & 2147483647u));
-                                                                            let _e1111 = (bitcast<f32>((bitcast<u32>(_e1009) & 2147483647u)) > ((0.0000038146973f * select(_e1093, _e1090, (_e1090 > _e1093))) * select(_e1107, _e1104, (_e1104 > _e1107))));
-                                                                            if _e1111 {
-                                                                                phi_1633_ = (_e1004 / _e1009);
+                                                                        let _e1156 = phi_1772_;
+                                                                        let _e1167 = (((_e1138 * (_e1156.x - _e264)) + (_e1143 * (_e1156.y - _e331))) + (_e1146 * (_e1156.z - _e397)));
+                                                                        let _e1172 = (((_e1138 * _e304) + (_e1143 * _e370)) + (_e1146 * _e436));
+                                                                        let _e1173 = (_e1119 - _e1123);
+                                                                        let _e1174 = (_e1117 - _e1121);
+                                                                        let _e1182 = (-(((_e1123 * _e1173) + (_e1121 * _e1174))) / ((_e1173 * _e1173) + (_e1174 * _e1174)));
+                                                                        let _e1184 = select(1f, _e1182, (_e1182 < 1f));
+                                                                        let _e1186 = select(0f, _e1184, (_e1184 > 0f));
+                                                                        let _e1199 = ((_e1125.x + (_e1131.x * _e1186)) - _e264);
+                                                                        let _e1200 = ((_e1125.y + (_e1131.y * _e1186)) - _e331);
+                                                                        let _e1201 = ((_e1125.z + (_e1131.z * _e1186)) - _e397);
+                                                                        let _e1202 = (_e1201 / _e436);
+                                                                        let _e1214 = bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u));
+                                                                        let _e1217 = bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u));
+                                                                        let _e1219 = select(_e1217, _e1214, (_e1214 > _e1217));
+                                                                        let _e1222 = bitcast<f32>((bitcast<u32>(_e1201) & 2147483647u));
+                                                                        let _e1224 = select(_e1222, _e1219, (_e1219 > _e1222));
+                                                                        let _e1230 = bitcast<f32>((bitcast<u32>(_e1138) & 2147483647u));
+                                                                        let _e1233 = bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u));
+                                                                        let _e1235 = select(_e1233, _e1230, (_e1230 > _e1233));
+                                                                        let _e1238 = bitcast<f32>((bitcast<u32>(_e1146) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1138 * _e1199) + (_e1143 * _e1200)) + (_e1146 * _e1201)) - _e1167)) & 2147483647u)) <= ((0.0000009536743f * select(_e1104, _e1224, (_e1224 > _e1104))) * select(_e1238, _e1235, (_e1235 > _e1238)))) {
+                                                                            let _e1248 = bitcast<f32>((bitcast<u32>(_e1129.x) & 2147483647u));
+                                                                            let _e1251 = bitcast<f32>((bitcast<u32>(_e1129.y) & 2147483647u));
+                                                                            let _e1253 = select(_e1251, _e1248, (_e1248 > _e1251));
+                                                                            let _e1256 = bitcast<f32>((bitcast<u32>(_e1129.z) & 2147483647u));
+                                                                            let _e1262 = bitcast<f32>((bitcast<u32>(_e1127.x) & 2147483647u));
+                                                                            let _e1265 = bitcast<f32>((bitcast<u32>(_e1127.y) & 2147483647u));
+                                                                            let _e1267 = select(_e1265, _e1262, (_e1262 > _e1265));
+                                                                            let _e1270 = bitcast<f32>((bitcast<u32>(_e1127.z) & 2147483647u));
+                                                                            let _e1274 = (bitcast<f32>((bitcast<u32>(_e1172) & 2147483647u)) > ((0.0000038146973f * select(_e1256, _e1253, (_e1253 > _e1256))) * select(_e1270, _e1267, (_e1267 > _e1270))));
+                                                                            if _e1274 {
+                                                                                phi_1937_ = (_e1167 / _e1172);
                                                                             } else {
-                                                                                phi_1633_ = f32();
+                                                                                phi_1937_ = f32();
                                                                             }
-                                                                            let _e1114 = phi_1633_;
-                                                                            phi_1635_ = _e1114;
-                                                                            phi_1636_ = select(true, false, _e1111);
+                                                                            let _e1277 = phi_1937_;
+                                                                            phi_1939_ = _e1277;
+                                                                            phi_1940_ = select(true, false, _e1274);
                                                                         } else {
-                                                                            phi_1635_ = f32();
-                                                                            phi_1636_ = true;
+                                                                            phi_1939_ = f32();
+                                                                            phi_1940_ = true;
                                                                         }
-                                                                        let _e1117 = phi_1635_;
-                                                                        let _e1119 = phi_1636_;
-                                                                        if _e1119 {
-                                                                            let _e1127 = (((_e975 * (_e1036 - (_e266 * _e1039))) + (_e980 * (_e1037 - (_e302 * _e1039)))) / _e1009);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1127) & 2147483647u)) <= _e941) {
-                                                                                phi_1656_ = (_e1039 + _e1127);
+                                                                        let _e1280 = phi_1939_;
+                                                                        let _e1282 = phi_1940_;
+                                                                        if _e1282 {
+                                                                            let _e1290 = (((_e1138 * (_e1199 - (_e304 * _e1202))) + (_e1143 * (_e1200 - (_e370 * _e1202)))) / _e1172);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1290) & 2147483647u)) <= _e1104) {
+                                                                                phi_1960_ = (_e1202 + _e1290);
                                                                             } else {
-                                                                                phi_1656_ = _e1039;
+                                                                                phi_1960_ = _e1202;
                                                                             }
-                                                                            let _e1134 = phi_1656_;
-                                                                            phi_1657_ = _e1134;
+                                                                            let _e1297 = phi_1960_;
+                                                                            phi_1961_ = _e1297;
                                                                         } else {
-                                                                            phi_1657_ = _e1117;
+                                                                            phi_1961_ = _e1280;
                                                                         }
-                                                                        let _e1136 = phi_1657_;
-                                                                        let _e1138 = select(_e874, _e1136, (_e1136 < _e874));
-                                                                        let _e1140 = select(_e866, _e1138, (_e1138 > _e866));
-                                                                        if (_e1140 >= _e387) {
-                                                                            let _e1142 = (_e1140 <= _e622.member_1);
-                                                                            if _e1142 {
-                                                                                let _e1143 = (1f / _e793);
-                                                                                phi_1680_ = type_22(_e1140, (_e787 * _e1143), (_e791 * _e1143), _e651);
+                                                                        let _e1299 = phi_1961_;
+                                                                        let _e1301 = select(_e1037, _e1299, (_e1299 < _e1037));
+                                                                        let _e1303 = select(_e1029, _e1301, (_e1301 > _e1029));
+                                                                        if (_e1303 >= _e550) {
+                                                                            let _e1305 = (_e1303 <= _e785.member_1);
+                                                                            if _e1305 {
+                                                                                let _e1306 = (1f / _e956);
+                                                                                phi_1984_ = type_22(_e1303, (_e950 * _e1306), (_e954 * _e1306), _e814);
                                                                             } else {
-                                                                                phi_1680_ = type_22();
+                                                                                phi_1984_ = type_22();
                                                                             }
-                                                                            let _e1148 = phi_1680_;
-                                                                            phi_1682_ = _e1148;
-                                                                            phi_1683_ = select(true, false, _e1142);
+                                                                            let _e1311 = phi_1984_;
+                                                                            phi_1986_ = _e1311;
+                                                                            phi_1987_ = select(true, false, _e1305);
                                                                         } else {
-                                                                            phi_1682_ = type_22();
-                                                                            phi_1683_ = true;
+                                                                            phi_1986_ = type_22();
+                                                                            phi_1987_ = true;
                                                                         }
-                                                                        let _e1151 = phi_1682_;
-                                                                        let _e1153 = phi_1683_;
-                                                                        if _e1153 {
-                                                                            phi_1687_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1314 = phi_1986_;
+                                                                        let _e1316 = phi_1987_;
+                                                                        if _e1316 {
+                                                                            phi_1991_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1687_ = _e1151;
+                                                                            phi_1991_ = _e1314;
                                                                         }
-                                                                        let _e1155 = phi_1687_;
-                                                                        phi_1688_ = _e1155;
+                                                                        let _e1318 = phi_1991_;
+                                                                        phi_1992_ = _e1318;
                                                                     }
-                                                                    let _e1157 = phi_1688_;
-                                                                    phi_1689_ = _e1157;
-                                                                    phi_1690_ = _e883;
+                                                                    let _e1320 = phi_1992_;
+                                                                    phi_1993_ = _e1320;
+                                                                    phi_1994_ = _e1046;
                                                                 }
-                                                                let _e1159 = phi_1689_;
-                                                                let _e1161 = phi_1690_;
-                                                                phi_1694_ = _e1159;
-                                                                phi_1695_ = _e1161;
+                                                                let _e1322 = phi_1993_;
+                                                                let _e1324 = phi_1994_;
+                                                                phi_1998_ = _e1322;
+                                                                phi_1999_ = _e1324;
                                                             }
-                                                            let _e1163 = phi_1694_;
-                                                            let _e1165 = phi_1695_;
-                                                            phi_1696_ = _e1163;
-                                                            phi_1697_ = _e818;
-                                                            phi_1698_ = _e1165;
+                                                            let _e1326 = phi_1998_;
+                                                            let _e1328 = phi_1999_;
+                                                            phi_2000_ = _e1326;
+                                                            phi_2001_ = _e981;
+                                                            phi_2002_ = _e1328;
                                                         }
-                                                        let _e1167 = phi_1696_;
-                                                        let _e1169 = phi_1697_;
-                                                        let _e1171 = phi_1698_;
-                                                        phi_1699_ = _e1167;
-                                                        phi_1700_ = _e1169;
-                                                        phi_1701_ = _e1171;
+                                                        let _e1330 = phi_2000_;
+                                                        let _e1332 = phi_2001_;
+                                                        let _e1334 = phi_2002_;
+                                                        phi_2003_ = _e1330;
+                                                        phi_2004_ = _e1332;
+                                                        phi_2005_ = _e1334;
                                                     }
-                                                    let _e1173 = phi_1699_;
-                                                    let _e1175 = phi_1700_;
-                                                    let _e1177 = phi_1701_;
-                                                    phi_1709_ = _e1173;
-                                                    phi_1710_ = select(_e1177, true, _e1175);
+                                                    let _e1336 = phi_2003_;
+                                                    let _e1338 = phi_2004_;
+                                                    let _e1340 = phi_2005_;
+                                                    phi_2013_ = _e1336;
+                                                    phi_2014_ = select(_e1340, true, _e1338);
                                                 } else {
-                                                    phi_1709_ = type_22();
-                                                    phi_1710_ = true;
+                                                    phi_2013_ = type_22();
+                                                    phi_2014_ = true;
                                                 }
-                                                let _e1180 = phi_1709_;
-                                                let _e1182 = phi_1710_;
-                                                if _e1182 {
-                                                    phi_1714_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1343 = phi_2013_;
+                                                let _e1345 = phi_2014_;
+                                                if _e1345 {
+                                                    phi_2018_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1714_ = _e1180;
+                                                    phi_2018_ = _e1343;
                                                 }
-                                                let _e1184 = phi_1714_;
-                                                if (_e1184.member_3 != 4294967295u) {
-                                                    if (_e651 != _e87) {
-                                                        if (_e1184.member < _e622.member.member) {
-                                                            phi_1740_ = true;
+                                                let _e1347 = phi_2018_;
+                                                if (_e1347.member_3 != 4294967295u) {
+                                                    if (_e814 != _e95) {
+                                                        if (_e1347.member < _e785.member.member) {
+                                                            phi_2044_ = true;
                                                         } else {
-                                                            if (_e1184.member == _e622.member.member) {
-                                                                phi_1739_ = (_e1184.member_3 < _e622.member.member_3);
+                                                            if (_e1347.member == _e785.member.member) {
+                                                                phi_2043_ = (_e1347.member_3 < _e785.member.member_3);
                                                             } else {
-                                                                phi_1739_ = false;
+                                                                phi_2043_ = false;
                                                             }
-                                                            let _e1197 = phi_1739_;
-                                                            phi_1740_ = _e1197;
+                                                            let _e1360 = phi_2043_;
+                                                            phi_2044_ = _e1360;
                                                         }
-                                                        let _e1199 = phi_1740_;
-                                                        if _e1199 {
-                                                            phi_1746_ = type_42(_e1184, _e1184.member);
+                                                        let _e1362 = phi_2044_;
+                                                        if _e1362 {
+                                                            phi_2050_ = type_42(_e1347, _e1347.member);
                                                         } else {
-                                                            phi_1746_ = _e622;
+                                                            phi_2050_ = _e785;
                                                         }
-                                                        let _e1202 = phi_1746_;
-                                                        phi_1747_ = _e1202;
+                                                        let _e1365 = phi_2050_;
+                                                        phi_2051_ = _e1365;
                                                     } else {
-                                                        phi_1747_ = _e622;
+                                                        phi_2051_ = _e785;
                                                     }
-                                                    let _e1204 = phi_1747_;
-                                                    phi_1748_ = _e1204;
+                                                    let _e1367 = phi_2051_;
+                                                    phi_2052_ = _e1367;
                                                 } else {
-                                                    phi_1748_ = _e622;
+                                                    phi_2052_ = _e785;
                                                 }
-                                                let _e1206 = phi_1748_;
-                                                phi_739_ = _e1206;
+                                                let _e1369 = phi_2052_;
+                                                phi_1043_ = _e1369;
                                             } else {
-                                                phi_739_ = type_42();
+                                                phi_1043_ = type_42();
                                             }
-                                            let _e1208 = phi_739_;
+                                            let _e1371 = phi_1043_;
                                             continue;
                                             continuing {
-                                                phi_738_ = _e1208;
-                                                phi_741_ = _e637;
-                                                phi_2365_ = _e395;
-                                                break if !(_e643);
+                                                phi_1042_ = _e1371;
+                                                phi_1045_ = _e800;
+                                                phi_2767_ = _e558;
+                                                break if !(_e806);
                                             }
                                         }
-                                        let _e1211 = phi_2365_;
-                                        phi_2508_ = _e1211;
-                                        if _e1211 {
+                                        let _e1374 = phi_2767_;
+                                        phi_2928_ = _e1374;
+                                        if _e1374 {
                                             break;
                                         }
-                                        phi_2512_ = _e1211;
-                                        let _e1424 = local_3;
-                                        phi_2203_ = _e1424;
-                                        phi_2204_ = _e420;
-                                        phi_2205_ = false;
-                                        phi_2206_ = _e424;
+                                        phi_2932_ = _e1374;
+                                        let _e1686 = local_3;
+                                        phi_2507_ = _e1686;
+                                        phi_2508_ = _e583;
+                                        phi_2509_ = false;
+                                        phi_2510_ = _e587;
                                     } else {
-                                        if (_e420 >= _e68) {
-                                            phi_1808_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e583 >= _e76) {
+                                            phi_2112_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e420 < _e68) {
+                                            if (_e583 < _e76) {
                                             } else {
-                                                phi_2508_ = true;
+                                                phi_2928_ = true;
                                                 break;
                                             }
-                                            let _e434 = (_e209 % 3u);
-                                            if (_e434 < 3u) {
+                                            let _e597 = (_e217 % 3u);
+                                            if (_e597 < 3u) {
                                             } else {
-                                                phi_2508_ = true;
+                                                phi_2928_ = true;
                                                 break;
                                             }
-                                            let _e440 = global_2.member[_e420].member[_e434];
-                                            let _e446 = (_e208 % 3u);
-                                            if (_e446 < 3u) {
+                                            let _e603 = global_2.member[_e583].member[_e597];
+                                            let _e609 = (_e216 % 3u);
+                                            if (_e609 < 3u) {
                                             } else {
-                                                phi_2508_ = true;
+                                                phi_2928_ = true;
                                                 break;
                                             }
-                                            let _e452 = global_2.member[_e420].member[_e446];
-                                            let _e458 = (_e210 % 3u);
-                                            if (_e458 < 3u) {
+                                            let _e615 = global_2.member[_e583].member[_e609];
+                                            let _e621 = (_e218 % 3u);
+                                            if (_e621 < 3u) {
                                             } else {
-                                                phi_2508_ = true;
+                                                phi_2928_ = true;
                                                 break;
                                             }
-                                            let _e464 = global_2.member[_e420].member[_e458];
-                                            let _e474 = global_2.member[_e420].member_1;
-                                            let _e478 = global_2.member[_e420].member_2;
-                                            phi_1808_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e440[0], _e440[1], _e440[2], _e440[3]), vec4<f32>(_e452[0], _e452[1], _e452[2], _e452[3]), vec4<f32>(_e464[0], _e464[1], _e464[2], _e464[3])), _e474, _e478);
+                                            let _e627 = global_2.member[_e583].member[_e621];
+                                            let _e637 = global_2.member[_e583].member_1;
+                                            let _e641 = global_2.member[_e583].member_2;
+                                            phi_2112_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e603[0], _e603[1], _e603[2], _e603[3]), vec4<f32>(_e615[0], _e615[1], _e615[2], _e615[3]), vec4<f32>(_e627[0], _e627[1], _e627[2], _e627[3])), _e637, _e641);
                                         }
-                                        let _e481 = phi_1808_;
-                                        let _e493 = ((_e481.member[0].x - _e264) * _e269);
-                                        let _e494 = ((_e481.member[0].y - _e264) * _e269);
-                                        let _e495 = ((_e481.member[0].z - _e265) * _e269);
-                                        let _e496 = ((_e481.member[0].w - _e265) * _e269);
-                                        let _e506 = ((_e481.member[1].x - _e300) * _e305);
-                                        let _e507 = ((_e481.member[1].y - _e300) * _e305);
-                                        let _e508 = ((_e481.member[1].z - _e301) * _e305);
-                                        let _e509 = ((_e481.member[1].w - _e301) * _e305);
-                                        let _e519 = ((_e481.member[2].x - _e336) * _e341);
-                                        let _e520 = ((_e481.member[2].y - _e336) * _e341);
-                                        let _e521 = ((_e481.member[2].z - _e337) * _e341);
-                                        let _e522 = ((_e481.member[2].w - _e337) * _e341);
-                                        let _e524 = select(_e521, _e519, (_e519 < _e521));
-                                        let _e526 = select(_e522, _e520, (_e520 < _e522));
-                                        let _e528 = select(_e521, _e519, (_e519 > _e521));
-                                        let _e530 = select(_e522, _e520, (_e520 > _e522));
-                                        let _e532 = select(_e495, _e493, (_e493 < _e495));
-                                        let _e534 = select(_e496, _e494, (_e494 < _e496));
-                                        let _e536 = select(_e508, _e506, (_e506 < _e508));
-                                        let _e538 = select(_e509, _e507, (_e507 < _e509));
-                                        let _e540 = select(_e536, _e532, (_e532 > _e536));
-                                        let _e542 = select(_e538, _e534, (_e534 > _e538));
-                                        let _e544 = select(_e524, _e540, (_e540 > _e524));
-                                        let _e546 = select(_e526, _e542, (_e542 > _e526));
-                                        let _e548 = select(_e495, _e493, (_e493 > _e495));
-                                        let _e550 = select(_e496, _e494, (_e494 > _e496));
-                                        let _e552 = select(_e508, _e506, (_e506 > _e508));
-                                        let _e554 = select(_e509, _e507, (_e507 > _e509));
-                                        let _e556 = select(_e552, _e548, (_e548 < _e552));
-                                        let _e558 = select(_e554, _e550, (_e550 < _e554));
-                                        let _e563 = -(_e524);
-                                        let _e564 = -(_e526);
-                                        let _e571 = (select(_e528, _e556, (_e556 < _e528)) + (select(_e563, _e528, (_e528 > _e563)) * 0.0000019073523f));
-                                        let _e572 = (select(_e530, _e558, (_e558 < _e530)) + (select(_e564, _e530, (_e530 > _e564)) * 0.0000019073523f));
-                                        let _e574 = select(_e387, _e544, (_e544 > _e387));
-                                        let _e576 = select(_e387, _e546, (_e546 > _e387));
-                                        let _e581 = (_e574 <= select(_e397.member_1, _e571, (_e571 < _e397.member_1)));
-                                        let _e582 = (_e576 <= select(_e397.member_1, _e572, (_e572 < _e397.member_1)));
-                                        let _e583 = (_e574 <= _e576);
-                                        if _e581 {
-                                            if _e582 {
-                                                if _e583 {
-                                                    phi_2152_ = _e481.member_2;
+                                        let _e644 = phi_2112_;
+                                        let _e656 = ((_e644.member[0].x - _e302) * _e307);
+                                        let _e657 = ((_e644.member[0].y - _e302) * _e307);
+                                        let _e658 = ((_e644.member[0].z - _e303) * _e307);
+                                        let _e659 = ((_e644.member[0].w - _e303) * _e307);
+                                        let _e669 = ((_e644.member[1].x - _e368) * _e373);
+                                        let _e670 = ((_e644.member[1].y - _e368) * _e373);
+                                        let _e671 = ((_e644.member[1].z - _e369) * _e373);
+                                        let _e672 = ((_e644.member[1].w - _e369) * _e373);
+                                        let _e682 = ((_e644.member[2].x - _e434) * _e439);
+                                        let _e683 = ((_e644.member[2].y - _e434) * _e439);
+                                        let _e684 = ((_e644.member[2].z - _e435) * _e439);
+                                        let _e685 = ((_e644.member[2].w - _e435) * _e439);
+                                        let _e687 = select(_e684, _e682, (_e682 < _e684));
+                                        let _e689 = select(_e685, _e683, (_e683 < _e685));
+                                        let _e691 = select(_e684, _e682, (_e682 > _e684));
+                                        let _e693 = select(_e685, _e683, (_e683 > _e685));
+                                        let _e695 = select(_e658, _e656, (_e656 < _e658));
+                                        let _e697 = select(_e659, _e657, (_e657 < _e659));
+                                        let _e699 = select(_e671, _e669, (_e669 < _e671));
+                                        let _e701 = select(_e672, _e670, (_e670 < _e672));
+                                        let _e703 = select(_e699, _e695, (_e695 > _e699));
+                                        let _e705 = select(_e701, _e697, (_e697 > _e701));
+                                        let _e707 = select(_e687, _e703, (_e703 > _e687));
+                                        let _e709 = select(_e689, _e705, (_e705 > _e689));
+                                        let _e711 = select(_e658, _e656, (_e656 > _e658));
+                                        let _e713 = select(_e659, _e657, (_e657 > _e659));
+                                        let _e715 = select(_e671, _e669, (_e669 > _e671));
+                                        let _e717 = select(_e672, _e670, (_e670 > _e672));
+                                        let _e719 = select(_e715, _e711, (_e711 < _e715));
+                                        let _e721 = select(_e717, _e713, (_e713 < _e717));
+                                        let _e726 = -(_e687);
+                                        let _e727 = -(_e689);
+                                        let _e734 = (select(_e691, _e719, (_e719 < _e691)) + (select(_e726, _e691, (_e691 > _e726)) * 0.0000019073523f));
+                                        let _e735 = (select(_e693, _e721, (_e721 < _e693)) + (select(_e727, _e693, (_e693 > _e727)) * 0.0000019073523f));
+                                        let _e737 = select(_e550, _e707, (_e707 > _e550));
+                                        let _e739 = select(_e550, _e709, (_e709 > _e550));
+                                        let _e744 = (_e737 <= select(_e560.member_1, _e734, (_e734 < _e560.member_1)));
+                                        let _e745 = (_e739 <= select(_e560.member_1, _e735, (_e735 < _e560.member_1)));
+                                        let _e746 = (_e737 <= _e739);
+                                        if _e744 {
+                                            if _e745 {
+                                                if _e746 {
+                                                    phi_2456_ = _e644.member_2;
                                                 } else {
-                                                    phi_2152_ = _e481.member_1;
+                                                    phi_2456_ = _e644.member_1;
                                                 }
-                                                let _e587 = phi_2152_;
-                                                let _e590 = (_e424 % 128u);
-                                                let _e591 = (_e590 < 128u);
-                                                if _e591 {
+                                                let _e750 = phi_2456_;
+                                                let _e753 = (_e587 % 128u);
+                                                let _e754 = (_e753 < 128u);
+                                                if _e754 {
                                                 } else {
-                                                    phi_2508_ = true;
+                                                    phi_2928_ = true;
                                                     break;
                                                 }
-                                                local_1[_e590] = _e587;
-                                                if _e591 {
+                                                local_1[_e753] = _e750;
+                                                if _e754 {
                                                 } else {
-                                                    phi_2508_ = true;
+                                                    phi_2928_ = true;
                                                     break;
                                                 }
-                                                local[_e590] = select(_e576, _e574, (_e574 > _e576));
-                                                if _e583 {
-                                                    phi_2180_ = _e481.member_1;
+                                                local[_e753] = select(_e739, _e737, (_e737 > _e739));
+                                                if _e746 {
+                                                    phi_2484_ = _e644.member_1;
                                                 } else {
-                                                    phi_2180_ = _e481.member_2;
+                                                    phi_2484_ = _e644.member_2;
                                                 }
-                                                let _e598 = phi_2180_;
-                                                phi_2181_ = _e598;
-                                                phi_2182_ = (_e424 + 1u);
+                                                let _e761 = phi_2484_;
+                                                phi_2485_ = _e761;
+                                                phi_2486_ = (_e587 + 1u);
                                             } else {
-                                                phi_2181_ = u32();
-                                                phi_2182_ = u32();
+                                                phi_2485_ = u32();
+                                                phi_2486_ = u32();
                                             }
-                                            let _e600 = phi_2181_;
-                                            let _e602 = phi_2182_;
-                                            phi_2184_ = _e600;
-                                            phi_2185_ = _e602;
-                                            phi_2186_ = select(true, false, _e582);
+                                            let _e763 = phi_2485_;
+                                            let _e765 = phi_2486_;
+                                            phi_2488_ = _e763;
+                                            phi_2489_ = _e765;
+                                            phi_2490_ = select(true, false, _e745);
                                         } else {
-                                            phi_2184_ = u32();
-                                            phi_2185_ = u32();
-                                            phi_2186_ = true;
+                                            phi_2488_ = u32();
+                                            phi_2489_ = u32();
+                                            phi_2490_ = true;
                                         }
-                                        let _e605 = phi_2184_;
-                                        let _e607 = phi_2185_;
-                                        let _e609 = phi_2186_;
-                                        if _e609 {
-                                            if _e581 {
-                                                phi_2195_ = _e481.member_1;
+                                        let _e768 = phi_2488_;
+                                        let _e770 = phi_2489_;
+                                        let _e772 = phi_2490_;
+                                        if _e772 {
+                                            if _e744 {
+                                                phi_2499_ = _e644.member_1;
                                             } else {
-                                                phi_2195_ = _e481.member_2;
+                                                phi_2499_ = _e644.member_2;
                                             }
-                                            let _e613 = phi_2195_;
-                                            phi_2200_ = _e613;
-                                            phi_2201_ = select(_e582, true, _e581);
+                                            let _e776 = phi_2499_;
+                                            phi_2504_ = _e776;
+                                            phi_2505_ = select(_e745, true, _e744);
                                         } else {
-                                            phi_2200_ = _e605;
-                                            phi_2201_ = _e422;
+                                            phi_2504_ = _e768;
+                                            phi_2505_ = _e585;
                                         }
-                                        let _e616 = phi_2200_;
-                                        let _e618 = phi_2201_;
-                                        phi_2512_ = _e395;
-                                        phi_2203_ = _e397;
-                                        phi_2204_ = _e616;
-                                        phi_2205_ = _e618;
-                                        phi_2206_ = select(_e607, _e424, _e609);
+                                        let _e779 = phi_2504_;
+                                        let _e781 = phi_2505_;
+                                        phi_2932_ = _e558;
+                                        phi_2507_ = _e560;
+                                        phi_2508_ = _e779;
+                                        phi_2509_ = _e781;
+                                        phi_2510_ = select(_e770, _e587, _e772);
                                     }
-                                    let _e1213 = phi_2512_;
-                                    let _e1215 = phi_2203_;
-                                    let _e1217 = phi_2204_;
-                                    let _e1219 = phi_2205_;
-                                    let _e1221 = phi_2206_;
-                                    phi_2511_ = _e1213;
-                                    phi_2207_ = _e1215;
-                                    phi_2208_ = _e1217;
-                                    phi_2209_ = (_e401 - 1u);
-                                    phi_2210_ = _e1219;
-                                    phi_2211_ = _e1221;
+                                    let _e1376 = phi_2932_;
+                                    let _e1378 = phi_2507_;
+                                    let _e1380 = phi_2508_;
+                                    let _e1382 = phi_2509_;
+                                    let _e1384 = phi_2510_;
+                                    phi_2931_ = _e1376;
+                                    phi_2511_ = _e1378;
+                                    phi_2512_ = _e1380;
+                                    phi_2513_ = (_e564 - 1u);
+                                    phi_2514_ = _e1382;
+                                    phi_2515_ = _e1384;
                                 } else {
-                                    phi_2511_ = _e395;
-                                    phi_2207_ = _e397;
-                                    phi_2208_ = _e420;
-                                    phi_2209_ = _e401;
-                                    phi_2210_ = _e422;
-                                    phi_2211_ = _e424;
+                                    phi_2931_ = _e558;
+                                    phi_2511_ = _e560;
+                                    phi_2512_ = _e583;
+                                    phi_2513_ = _e564;
+                                    phi_2514_ = _e585;
+                                    phi_2515_ = _e587;
                                 }
-                                let _e1223 = phi_2511_;
-                                let _e1225 = phi_2207_;
-                                let _e1227 = phi_2208_;
-                                let _e1229 = phi_2209_;
-                                let _e1231 = phi_2210_;
-                                let _e1233 = phi_2211_;
-                                phi_2510_ = _e1223;
-                                phi_2212_ = _e1225;
-                                phi_2213_ = _e1227;
-                                phi_2214_ = _e1229;
-                                phi_2215_ = _e1231;
-                                phi_2216_ = _e1233;
+                                let _e1386 = phi_2931_;
+                                let _e1388 = phi_2511_;
+                                let _e1390 = phi_2512_;
+                                let _e1392 = phi_2513_;
+                                let _e1394 = phi_2514_;
+                                let _e1396 = phi_2515_;
+                                phi_2930_ = _e1386;
+                                phi_2516_ = _e1388;
+                                phi_2517_ = _e1390;
+                                phi_2518_ = _e1392;
+                                phi_2519_ = _e1394;
+                                phi_2520_ = _e1396;
                             } else {
-                                phi_2510_ = _e395;
-                                phi_2212_ = type_42();
-                                phi_2213_ = u32();
-                                phi_2214_ = u32();
-                                phi_2215_ = bool();
-                                phi_2216_ = u32();
+                                phi_2930_ = _e558;
+                                phi_2516_ = type_42();
+                                phi_2517_ = u32();
+                                phi_2518_ = u32();
+                                phi_2519_ = bool();
+                                phi_2520_ = u32();
                             }
-                            let _e1235 = phi_2510_;
-                            let _e1237 = phi_2212_;
-                            let _e1239 = phi_2213_;
-                            let _e1241 = phi_2214_;
-                            let _e1243 = phi_2215_;
-                            let _e1245 = phi_2216_;
-                            phi_2509_ = _e1235;
-                            phi_670_ = _e1237;
-                            phi_673_ = _e1239;
-                            phi_675_ = _e1241;
-                            phi_677_ = _e1243;
-                            phi_679_ = _e1245;
-                            phi_2217_ = _e409;
+                            let _e1398 = phi_2930_;
+                            let _e1400 = phi_2516_;
+                            let _e1402 = phi_2517_;
+                            let _e1404 = phi_2518_;
+                            let _e1406 = phi_2519_;
+                            let _e1408 = phi_2520_;
+                            phi_2929_ = _e1398;
+                            phi_974_ = _e1400;
+                            phi_977_ = _e1402;
+                            phi_979_ = _e1404;
+                            phi_981_ = _e1406;
+                            phi_983_ = _e1408;
+                            phi_2521_ = _e572;
                         } else {
-                            phi_2509_ = _e395;
-                            phi_670_ = type_42();
-                            phi_673_ = u32();
-                            phi_675_ = u32();
-                            phi_677_ = bool();
-                            phi_679_ = u32();
-                            phi_2217_ = false;
+                            phi_2929_ = _e558;
+                            phi_974_ = type_42();
+                            phi_977_ = u32();
+                            phi_979_ = u32();
+                            phi_981_ = bool();
+                            phi_983_ = u32();
+                            phi_2521_ = false;
                         }
-                        let _e1247 = phi_2509_;
-                        let _e1249 = phi_670_;
-                        let _e1251 = phi_673_;
-                        let _e1253 = phi_675_;
-                        let _e1255 = phi_677_;
-                        let _e1257 = phi_679_;
-                        let _e1259 = phi_2217_;
+                        let _e1410 = phi_2929_;
+                        let _e1412 = phi_974_;
+                        let _e1414 = phi_977_;
+                        let _e1416 = phi_979_;
+                        let _e1418 = phi_981_;
+                        let _e1420 = phi_983_;
+                        let _e1422 = phi_2521_;
                         continue;
                         continuing {
-                            phi_2371_ = _e1247;
-                            phi_669_ = _e1249;
-                            phi_672_ = _e1251;
-                            phi_674_ = _e1253;
-                            phi_676_ = _e1255;
-                            phi_678_ = _e1257;
-                            phi_2508_ = _e1247;
-                            break if !(_e1259);
+                            phi_2773_ = _e1410;
+                            phi_973_ = _e1412;
+                            phi_976_ = _e1414;
+                            phi_978_ = _e1416;
+                            phi_980_ = _e1418;
+                            phi_982_ = _e1420;
+                            phi_2928_ = _e1410;
+                            break if !(_e1422);
                         }
                     }
-                    let _e1262 = phi_2508_;
-                    if _e1262 {
+                    let _e1425 = phi_2928_;
+                    if _e1425 {
                         break;
                     }
-                    let _e1264 = local_2;
-                    if (_e1264.member.member_3 != 4294967295u) {
-                        let _e1269 = (_e211 / 3i);
-                        let _e1276 = bitcast<f32>((bitcast<u32>((_e1269 + 127i)) << bitcast<u32>(23i)));
-                        let _e1284 = (((_e1264.member.member * _e1276) * _e1276) * bitcast<f32>((bitcast<u32>(((_e211 - (2i * _e1269)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1286 = select(340282350000000000000000000000000000000f, _e1284, (_e1284 < 340282350000000000000000000000000000000f));
-                        phi_2269_ = type_22(select(-340282350000000000000000000000000000000f, _e1286, (_e1286 > -340282350000000000000000000000000000000f)), _e1264.member.member_1, _e1264.member.member_2, _e1264.member.member_3);
+                    let _e1427 = local_2;
+                    if (_e1427.member.member_3 != 4294967295u) {
+                        let _e1432 = bitcast<u32>(_e1427.member.member);
+                        let _e1436 = (bitcast<i32>((_e1432 >> bitcast<u32>(23i))) & 255i);
+                        let _e1437 = (_e1436 + _e219);
+                        if (_e1436 == 255i) {
+                            phi_2580_ = _e1427.member.member;
+                        } else {
+                            if (_e1436 > 0i) {
+                                if (_e1437 > 0i) {
+                                    let _e1441 = (_e1437 < 255i);
+                                    if _e1441 {
+                                        phi_2559_ = bitcast<f32>((_e1432 + bitcast<u32>((_e219 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_2559_ = f32();
+                                    }
+                                    let _e1448 = phi_2559_;
+                                    phi_2561_ = _e1448;
+                                    phi_2562_ = select(true, false, _e1441);
+                                } else {
+                                    phi_2561_ = f32();
+                                    phi_2562_ = true;
+                                }
+                                let _e1451 = phi_2561_;
+                                let _e1453 = phi_2562_;
+                                phi_2563_ = _e1451;
+                                phi_2564_ = _e1453;
+                            } else {
+                                phi_2563_ = f32();
+                                phi_2564_ = true;
+                            }
+                            let _e1455 = phi_2563_;
+                            let _e1457 = phi_2564_;
+                            if _e1457 {
+                                let _e1458 = (_e1432 & 2147483648u);
+                                let _e1465 = ((_e1432 & 8388607u) | (select(0u, 1u, ((_e1432 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1469 = (_e1465 == 0u);
+                                if _e1469 {
+                                    phi_2762_ = bitcast<f32>(_e1458);
+                                } else {
+                                    let _e1474 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1465)), 32u, _e1469) - 8u);
+                                    let _e1477 = (_e1465 << bitcast<u32>((_e1474 & 31u)));
+                                    let _e1479 = ((_e1437 + select(0i, 1i, (_e1436 == 0i))) - bitcast<i32>(_e1474));
+                                    if (_e1479 >= 255i) {
+                                        phi_2752_ = bitcast<f32>((_e1458 | 2139095040u));
+                                        phi_2753_ = f32();
+                                        phi_2754_ = true;
+                                    } else {
+                                        let _e1481 = (_e1479 > 0i);
+                                        if _e1481 {
+                                            phi_2746_ = bitcast<f32>(((_e1458 | (bitcast<u32>(_e1479) << bitcast<u32>(23i))) | (_e1477 & 8388607u)));
+                                            phi_2747_ = f32();
+                                        } else {
+                                            if (_e1479 < -24i) {
+                                                phi_2712_ = 26u;
+                                            } else {
+                                                phi_2712_ = bitcast<u32>((1i - _e1479));
+                                            }
+                                            let _e1486 = phi_2712_;
+                                            let _e1487 = (_e1486 & 31u);
+                                            let _e1489 = (_e1477 >> bitcast<u32>(_e1487));
+                                            let _e1493 = (_e1477 & ((1u << bitcast<u32>(_e1487)) - 1u));
+                                            let _e1497 = (1u << bitcast<u32>(((_e1486 - 1u) & 31u)));
+                                            if (_e1493 > _e1497) {
+                                                phi_2733_ = true;
+                                            } else {
+                                                if (_e1493 == _e1497) {
+                                                    phi_2730_ = ((_e1489 & 1u) == 1u);
+                                                } else {
+                                                    phi_2730_ = false;
+                                                }
+                                                let _e1503 = phi_2730_;
+                                                phi_2733_ = _e1503;
+                                            }
+                                            let _e1505 = phi_2733_;
+                                            phi_2746_ = f32();
+                                            phi_2747_ = bitcast<f32>((_e1458 | (_e1489 + select(0u, 1u, _e1505))));
+                                        }
+                                        let _e1518 = phi_2746_;
+                                        let _e1520 = phi_2747_;
+                                        phi_2752_ = _e1518;
+                                        phi_2753_ = _e1520;
+                                        phi_2754_ = _e1481;
+                                    }
+                                    let _e1524 = phi_2752_;
+                                    let _e1526 = phi_2753_;
+                                    let _e1528 = phi_2754_;
+                                    phi_2762_ = select(_e1526, _e1524, _e1528);
+                                }
+                                let _e1532 = phi_2762_;
+                                phi_2579_ = _e1532;
+                            } else {
+                                phi_2579_ = _e1455;
+                            }
+                            let _e1534 = phi_2579_;
+                            phi_2580_ = _e1534;
+                        }
+                        let _e1536 = phi_2580_;
+                        let _e1537 = bitcast<u32>(_e1536);
+                        if ((_e1537 & 2147483647u) >= 2139095040u) {
+                            phi_2592_ = bitcast<f32>(((_e1537 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_2592_ = _e1536;
+                        }
+                        let _e1544 = phi_2592_;
+                        phi_2597_ = type_22(_e1544, _e1427.member.member_1, _e1427.member.member_2, _e1427.member.member_3);
                     } else {
-                        phi_2269_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2597_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1293 = phi_2269_;
-                    if _e88 {
+                    let _e1549 = phi_2597_;
+                    if _e96 {
                     } else {
                         break;
                     }
-                    global_4.member[_e80] = _e1293;
-                    if _e81 {
+                    global_4.member[_e88] = _e1549;
+                    if _e89 {
                     } else {
                         break;
                     }
-                    let _e1297 = select(0u, 1u, (_e155 <= _e165));
-                    if (_e1297 > 0u) {
-                        let _e1299 = (1u < _e76);
-                        if _e1299 {
-                            if (0u < _e76) {
+                    let _e1553 = select(0u, 1u, (_e163 <= _e173));
+                    if (_e1553 > 0u) {
+                        let _e1555 = (1u < _e84);
+                        if _e1555 {
+                            if (0u < _e84) {
                             } else {
                                 break;
                             }
-                            let _e1303 = atomicAdd((&global_5.member[0u]), _e1297);
-                            if ((_e1303 + _e1297) < _e1303) {
-                                if _e1299 {
+                            let _e1559 = atomicAdd((&global_5.member[0u]), _e1553);
+                            if ((_e1559 + _e1553) < _e1559) {
+                                if _e1555 {
                                 } else {
                                     break;
                                 }
-                                let _e1308 = atomicAdd((&global_5.member[1u]), 1u);
+                                let _e1564 = atomicAdd((&global_5.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1311 = select(0u, 1u, (_e1293.member_3 != 4294967295u));
-                    if (_e1311 > 0u) {
-                        let _e1313 = (3u < _e76);
-                        if _e1313 {
-                            if (2u < _e76) {
+                    let _e1567 = select(0u, 1u, (_e1549.member_3 != 4294967295u));
+                    if (_e1567 > 0u) {
+                        let _e1569 = (3u < _e84);
+                        if _e1569 {
+                            if (2u < _e84) {
                             } else {
                                 break;
                             }
-                            let _e1317 = atomicAdd((&global_5.member[2u]), _e1311);
-                            if ((_e1317 + _e1311) < _e1317) {
-                                if _e1313 {
+                            let _e1573 = atomicAdd((&global_5.member[2u]), _e1567);
+                            if ((_e1573 + _e1567) < _e1573) {
+                                if _e1569 {
                                 } else {
                                     break;
                                 }
-                                let _e1322 = atomicAdd((&global_5.member[3u]), 1u);
+                                let _e1578 = atomicAdd((&global_5.member[3u]), 1u);
                             }
                         }
                     }

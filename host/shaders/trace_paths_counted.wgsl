@@ -96,1184 +96,1363 @@ var<storage, read_write> global_6: type_52;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_284_: i32;
-    var phi_285_: i32;
-    var phi_295_: bool;
-    var phi_305_: u32;
-    var phi_306_: u32;
-    var phi_308_: bool;
-    var phi_313_: u32;
-    var phi_345_: i32;
-    var phi_363_: f32;
-    var phi_369_: f32;
-    var phi_380_: f32;
-    var phi_386_: f32;
-    var phi_409_: f32;
-    var phi_420_: f32;
-    var phi_429_: f32;
-    var phi_435_: f32;
-    var phi_446_: f32;
-    var phi_452_: f32;
-    var phi_475_: f32;
-    var phi_486_: f32;
-    var phi_495_: f32;
-    var phi_501_: f32;
-    var phi_512_: f32;
-    var phi_518_: f32;
-    var phi_541_: f32;
-    var phi_552_: f32;
-    var phi_652_: f32;
-    var phi_653_: f32;
-    var phi_2420_: bool;
-    var phi_673_: type_48;
-    var phi_676_: u32;
-    var phi_678_: u32;
-    var phi_680_: bool;
-    var phi_682_: u32;
-    var phi_693_: bool;
-    var phi_725_: u32;
-    var phi_726_: bool;
-    var phi_727_: u32;
-    var phi_1819_: type_47;
-    var phi_2163_: u32;
-    var phi_2191_: u32;
-    var phi_2192_: u32;
-    var phi_2193_: u32;
-    var phi_2195_: u32;
-    var phi_2196_: u32;
-    var phi_2197_: bool;
-    var phi_2206_: u32;
-    var phi_2211_: u32;
-    var phi_2212_: bool;
-    var phi_742_: type_48;
-    var phi_745_: type_7;
-    var phi_746_: type_7;
-    var phi_768_: type_7;
-    var phi_792_: u32;
-    var phi_881_: array<array<f32, 3>, 3>;
-    var phi_998_: bool;
-    var phi_1027_: bool;
-    var phi_1428_: f32;
-    var phi_1429_: f32;
-    var phi_1430_: f32;
-    var phi_1431_: f32;
-    var phi_1432_: vec3<f32>;
-    var phi_1433_: vec3<f32>;
-    var phi_1434_: vec3<f32>;
-    var phi_1435_: vec3<f32>;
-    var phi_1466_: bool;
-    var phi_1475_: vec3<f32>;
-    var phi_1640_: f32;
-    var phi_1642_: f32;
-    var phi_1643_: bool;
-    var phi_1663_: f32;
-    var phi_1664_: f32;
-    var phi_1687_: type_22;
-    var phi_1689_: type_22;
-    var phi_1690_: bool;
-    var phi_1694_: type_22;
-    var phi_1695_: type_22;
-    var phi_1696_: type_22;
-    var phi_1697_: bool;
-    var phi_1701_: type_22;
-    var phi_1702_: bool;
-    var phi_1703_: type_22;
-    var phi_1704_: bool;
-    var phi_1705_: bool;
-    var phi_1706_: type_22;
-    var phi_1707_: bool;
-    var phi_1708_: bool;
-    var phi_1716_: type_22;
-    var phi_1717_: bool;
-    var phi_1721_: type_22;
-    var phi_1746_: bool;
-    var phi_1747_: bool;
-    var phi_1754_: type_48;
-    var phi_1755_: type_48;
-    var phi_1756_: type_48;
-    var phi_743_: type_48;
-    var phi_2414_: bool;
-    var phi_2560_: bool;
-    var phi_2214_: type_48;
-    var phi_2215_: u32;
-    var phi_2216_: bool;
-    var phi_2217_: u32;
-    var phi_2559_: bool;
-    var phi_2218_: type_48;
-    var phi_2219_: u32;
-    var phi_2220_: u32;
-    var phi_2221_: bool;
-    var phi_2222_: u32;
-    var phi_2558_: bool;
-    var phi_2223_: type_48;
-    var phi_2224_: u32;
-    var phi_2225_: u32;
-    var phi_2226_: bool;
-    var phi_2227_: u32;
-    var phi_2557_: bool;
-    var phi_674_: type_48;
-    var phi_677_: u32;
-    var phi_679_: u32;
-    var phi_681_: bool;
-    var phi_683_: u32;
-    var phi_2228_: bool;
-    var phi_2556_: bool;
+    var phi_368_: i32;
+    var phi_369_: i32;
+    var phi_379_: bool;
+    var phi_389_: u32;
+    var phi_390_: u32;
+    var phi_392_: bool;
+    var phi_397_: u32;
+    var phi_429_: i32;
+    var phi_447_: f32;
+    var phi_453_: f32;
+    var phi_493_: f32;
+    var phi_499_: f32;
+    var phi_551_: f32;
+    var phi_562_: f32;
+    var phi_571_: f32;
+    var phi_577_: f32;
+    var phi_617_: f32;
+    var phi_623_: f32;
+    var phi_675_: f32;
+    var phi_686_: f32;
+    var phi_695_: f32;
+    var phi_701_: f32;
+    var phi_741_: f32;
+    var phi_747_: f32;
+    var phi_799_: f32;
+    var phi_810_: f32;
+    var phi_865_: i32;
+    var phi_887_: u32;
+    var phi_888_: u32;
+    var phi_925_: i32;
+    var phi_947_: u32;
+    var phi_948_: u32;
+    var phi_956_: f32;
+    var phi_957_: f32;
+    var phi_2822_: bool;
+    var phi_977_: type_48;
+    var phi_980_: u32;
+    var phi_982_: u32;
+    var phi_984_: bool;
+    var phi_986_: u32;
+    var phi_997_: bool;
+    var phi_1029_: u32;
+    var phi_1030_: bool;
+    var phi_1031_: u32;
+    var phi_2123_: type_47;
+    var phi_2467_: u32;
+    var phi_2495_: u32;
+    var phi_2496_: u32;
+    var phi_2497_: u32;
+    var phi_2499_: u32;
+    var phi_2500_: u32;
+    var phi_2501_: bool;
+    var phi_2510_: u32;
+    var phi_2515_: u32;
+    var phi_2516_: bool;
+    var phi_1046_: type_48;
+    var phi_1049_: type_7;
+    var phi_1050_: type_7;
+    var phi_1072_: type_7;
+    var phi_1096_: u32;
+    var phi_1185_: array<array<f32, 3>, 3>;
+    var phi_1302_: bool;
+    var phi_1331_: bool;
+    var phi_1732_: f32;
+    var phi_1733_: f32;
+    var phi_1734_: f32;
+    var phi_1735_: f32;
+    var phi_1736_: vec3<f32>;
+    var phi_1737_: vec3<f32>;
+    var phi_1738_: vec3<f32>;
+    var phi_1739_: vec3<f32>;
+    var phi_1770_: bool;
+    var phi_1779_: vec3<f32>;
+    var phi_1944_: f32;
+    var phi_1946_: f32;
+    var phi_1947_: bool;
+    var phi_1967_: f32;
+    var phi_1968_: f32;
+    var phi_1991_: type_22;
+    var phi_1993_: type_22;
+    var phi_1994_: bool;
+    var phi_1998_: type_22;
+    var phi_1999_: type_22;
+    var phi_2000_: type_22;
+    var phi_2001_: bool;
+    var phi_2005_: type_22;
+    var phi_2006_: bool;
+    var phi_2007_: type_22;
+    var phi_2008_: bool;
+    var phi_2009_: bool;
+    var phi_2010_: type_22;
+    var phi_2011_: bool;
+    var phi_2012_: bool;
+    var phi_2020_: type_22;
+    var phi_2021_: bool;
+    var phi_2025_: type_22;
+    var phi_2050_: bool;
+    var phi_2051_: bool;
+    var phi_2058_: type_48;
+    var phi_2059_: type_48;
+    var phi_2060_: type_48;
+    var phi_1047_: type_48;
+    var phi_2816_: bool;
+    var phi_2980_: bool;
+    var phi_2518_: type_48;
+    var phi_2519_: u32;
+    var phi_2520_: bool;
+    var phi_2521_: u32;
+    var phi_2979_: bool;
+    var phi_2522_: type_48;
+    var phi_2523_: u32;
+    var phi_2524_: u32;
+    var phi_2525_: bool;
+    var phi_2526_: u32;
+    var phi_2978_: bool;
+    var phi_2527_: type_48;
+    var phi_2528_: u32;
+    var phi_2529_: u32;
+    var phi_2530_: bool;
+    var phi_2531_: u32;
+    var phi_2977_: bool;
+    var phi_978_: type_48;
+    var phi_981_: u32;
+    var phi_983_: u32;
+    var phi_985_: bool;
+    var phi_987_: u32;
+    var phi_2532_: bool;
+    var phi_2976_: bool;
     var local_2: type_48;
-    var phi_2280_: type_22;
+    var phi_2570_: f32;
+    var phi_2572_: f32;
+    var phi_2573_: bool;
+    var phi_2574_: f32;
+    var phi_2575_: bool;
+    var phi_2761_: u32;
+    var phi_2779_: bool;
+    var phi_2782_: bool;
+    var phi_2795_: f32;
+    var phi_2796_: f32;
+    var phi_2801_: f32;
+    var phi_2802_: f32;
+    var phi_2803_: bool;
+    var phi_2811_: f32;
+    var phi_2590_: f32;
+    var phi_2591_: f32;
+    var phi_2603_: f32;
+    var phi_2608_: type_22;
     var local_3: type_48;
     var local_4: type_48;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e67 = global;
-            let _e69 = arrayLength((&global_2.member));
-            let _e71 = arrayLength((&global_1.member));
-            let _e79 = arrayLength((&global_6.member));
-            let _e83 = (_e67.x + (_e67.y * 2097152u));
-            let _e84 = (_e83 < arrayLength((&global_3.member)));
-            if _e84 {
-                let _e85 = (_e83 < arrayLength((&global_4.member)));
-                if _e85 {
-                    let _e86 = (_e83 < arrayLength((&global_5.member)));
-                    if _e86 {
-                        if _e84 {
+            let _e75 = global;
+            let _e77 = arrayLength((&global_2.member));
+            let _e79 = arrayLength((&global_1.member));
+            let _e87 = arrayLength((&global_6.member));
+            let _e91 = (_e75.x + (_e75.y * 2097152u));
+            let _e92 = (_e91 < arrayLength((&global_3.member)));
+            if _e92 {
+                let _e93 = (_e91 < arrayLength((&global_4.member)));
+                if _e93 {
+                    let _e94 = (_e91 < arrayLength((&global_5.member)));
+                    if _e94 {
+                        if _e92 {
                         } else {
                             break;
                         }
-                        let _e96 = global_3.member[_e83].member.member_2[0u];
-                        let _e98 = (bitcast<u32>(_e96) & 2147483647u);
-                        let _e104 = global_3.member[_e83].member.member_2[1u];
+                        let _e104 = global_3.member[_e91].member.member_2[0u];
                         let _e106 = (bitcast<u32>(_e104) & 2147483647u);
-                        let _e112 = global_3.member[_e83].member.member_2[2u];
+                        let _e112 = global_3.member[_e91].member.member_2[1u];
                         let _e114 = (bitcast<u32>(_e112) & 2147483647u);
-                        let _e120 = global_3.member[_e83].member.member[0u];
+                        let _e120 = global_3.member[_e91].member.member_2[2u];
                         let _e122 = (bitcast<u32>(_e120) & 2147483647u);
-                        let _e128 = global_3.member[_e83].member.member[1u];
+                        let _e128 = global_3.member[_e91].member.member[0u];
                         let _e130 = (bitcast<u32>(_e128) & 2147483647u);
-                        let _e136 = global_3.member[_e83].member.member[2u];
+                        let _e136 = global_3.member[_e91].member.member[1u];
                         let _e138 = (bitcast<u32>(_e136) & 2147483647u);
-                        let _e140 = select(_e106, _e98, (_e106 < _e98));
-                        let _e142 = select(_e114, _e140, (_e114 < _e140));
-                        let _e144 = select(_e122, _e142, (_e122 < _e142));
-                        let _e146 = select(_e130, _e144, (_e130 < _e144));
-                        let _e148 = select(_e138, _e146, (_e138 < _e146));
-                        let _e153 = global_3.member[_e83].member.member_1;
-                        let _e155 = (bitcast<u32>(_e153) & 2147483647u);
-                        let _e163 = global_3.member[_e83].member.member_3;
-                        let _e169 = (((select(_e155, _e148, (_e155 < _e148)) < 2139095040u) && ((bitcast<u32>(_e163) & 2147483647u) <= 2139095040u)) && (_e142 > 0u));
-                        if _e169 {
-                            let _e172 = (bitcast<u32>(bitcast<f32>(_e142)) & 2147483647u);
-                            if (_e172 >= 8388608u) {
-                                phi_284_ = (bitcast<i32>((_e172 >> bitcast<u32>(23i))) - 127i);
+                        let _e144 = global_3.member[_e91].member.member[2u];
+                        let _e146 = (bitcast<u32>(_e144) & 2147483647u);
+                        let _e148 = select(_e114, _e106, (_e114 < _e106));
+                        let _e150 = select(_e122, _e148, (_e122 < _e148));
+                        let _e152 = select(_e130, _e150, (_e130 < _e150));
+                        let _e154 = select(_e138, _e152, (_e138 < _e152));
+                        let _e156 = select(_e146, _e154, (_e146 < _e154));
+                        let _e161 = global_3.member[_e91].member.member_1;
+                        let _e162 = bitcast<u32>(_e161);
+                        let _e163 = (_e162 & 2147483647u);
+                        let _e171 = global_3.member[_e91].member.member_3;
+                        let _e172 = bitcast<u32>(_e171);
+                        let _e173 = (_e172 & 2147483647u);
+                        let _e177 = (((select(_e163, _e156, (_e163 < _e156)) < 2139095040u) && (_e173 <= 2139095040u)) && (_e150 > 0u));
+                        if _e177 {
+                            let _e180 = (bitcast<u32>(bitcast<f32>(_e150)) & 2147483647u);
+                            if (_e180 >= 8388608u) {
+                                phi_368_ = (bitcast<i32>((_e180 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_284_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e172)), 32u, (_e172 == 0u))));
+                                phi_368_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e180)), 32u, (_e180 == 0u))));
                             }
-                            let _e186 = phi_284_;
-                            phi_285_ = _e186;
+                            let _e194 = phi_368_;
+                            phi_369_ = _e194;
                         } else {
-                            phi_285_ = 0i;
+                            phi_369_ = 0i;
                         }
-                        let _e188 = phi_285_;
-                        let _e189 = (_e98 == _e142);
-                        if _e189 {
-                            phi_295_ = true;
+                        let _e196 = phi_369_;
+                        let _e197 = (_e106 == _e150);
+                        if _e197 {
+                            phi_379_ = true;
                         } else {
-                            phi_295_ = (_e106 == _e142);
+                            phi_379_ = (_e114 == _e150);
                         }
-                        let _e192 = phi_295_;
-                        let _e193 = select(1u, 0u, _e189);
-                        if _e192 {
-                            let _e194 = (_e193 + 1u);
-                            phi_305_ = _e194;
-                            phi_306_ = _e194;
-                            phi_308_ = select(true, false, (_e194 == 2u));
+                        let _e200 = phi_379_;
+                        let _e201 = select(1u, 0u, _e197);
+                        if _e200 {
+                            let _e202 = (_e201 + 1u);
+                            phi_389_ = _e202;
+                            phi_390_ = _e202;
+                            phi_392_ = select(true, false, (_e202 == 2u));
                         } else {
-                            phi_305_ = u32();
-                            phi_306_ = 0u;
-                            phi_308_ = true;
+                            phi_389_ = u32();
+                            phi_390_ = 0u;
+                            phi_392_ = true;
                         }
-                        let _e198 = phi_305_;
-                        let _e200 = phi_306_;
-                        let _e202 = phi_308_;
-                        if _e202 {
-                            phi_313_ = (_e200 + 1u);
+                        let _e206 = phi_389_;
+                        let _e208 = phi_390_;
+                        let _e210 = phi_392_;
+                        if _e210 {
+                            phi_397_ = (_e208 + 1u);
                         } else {
-                            phi_313_ = 0u;
+                            phi_397_ = 0u;
                         }
-                        let _e206 = phi_313_;
-                        let _e207 = select(_e198, _e200, _e202);
-                        let _e208 = select(_e193, select(2u, _e193, _e192), _e202);
-                        let _e209 = -(_e188);
-                        if (_e209 < -126i) {
-                            phi_345_ = -126i;
+                        let _e214 = phi_397_;
+                        let _e215 = select(_e206, _e208, _e210);
+                        let _e216 = select(_e201, select(2u, _e201, _e200), _e210);
+                        let _e217 = -(_e196);
+                        if (_e217 < -126i) {
+                            phi_429_ = -126i;
                         } else {
-                            phi_345_ = select(_e209, 127i, (_e209 > 127i));
+                            phi_429_ = select(_e217, 127i, (_e217 > 127i));
                         }
-                        let _e214 = phi_345_;
-                        let _e219 = bitcast<f32>((bitcast<u32>((_e214 + 127i)) << bitcast<u32>(23i)));
-                        let _e225 = bitcast<f32>((bitcast<u32>(((_e209 - _e214) + 127i)) << bitcast<u32>(23i)));
-                        let _e230 = global_3.member[_e83].member.member;
-                        let _e231 = (_e207 == 0u);
-                        if _e231 {
-                            phi_363_ = _e230[0];
+                        let _e222 = phi_429_;
+                        let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
+                        let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
+                        let _e238 = global_3.member[_e91].member.member;
+                        let _e239 = (_e215 == 0u);
+                        if _e239 {
+                            phi_447_ = _e238[0];
                         } else {
-                            phi_363_ = _e230[1];
+                            phi_447_ = _e238[1];
                         }
-                        let _e235 = phi_363_;
-                        let _e236 = (_e207 == 2u);
-                        if _e236 {
-                            phi_369_ = _e230[2];
+                        let _e243 = phi_447_;
+                        let _e244 = (_e215 == 2u);
+                        if _e244 {
+                            phi_453_ = _e238[2];
                         } else {
-                            phi_369_ = _e235;
+                            phi_453_ = _e243;
                         }
-                        let _e239 = phi_369_;
-                        let _e240 = global_3.member[_e83].member.member_2;
-                        if _e231 {
-                            phi_380_ = _e240[0];
+                        let _e247 = phi_453_;
+                        let _e248 = bitcast<u32>(_e247);
+                        let _e250 = ((_e248 & 2139095040u) != 0u);
+                        let _e262 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e248 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e248 & 2147483648u))), _e247, _e250) * select(0.00000011920929f, 1f, _e250));
+                        let _e263 = global_3.member[_e91].member.member_2;
+                        if _e239 {
+                            phi_493_ = _e263[0];
                         } else {
-                            phi_380_ = _e240[1];
+                            phi_493_ = _e263[1];
                         }
-                        let _e244 = phi_380_;
-                        if _e236 {
-                            phi_386_ = _e240[2];
+                        let _e267 = phi_493_;
+                        if _e244 {
+                            phi_499_ = _e263[2];
                         } else {
-                            phi_386_ = _e244;
+                            phi_499_ = _e267;
                         }
-                        let _e247 = phi_386_;
-                        let _e249 = ((_e247 * _e219) * _e225);
-                        let _e253 = (bitcast<f32>((bitcast<u32>(_e249) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e253 {
-                            let _e257 = (bitcast<f32>((bitcast<u32>(_e239) & 2147483647u)) * 0.00000011920929f);
-                            phi_409_ = select(0.00000000000011368684f, _e257, (_e257 > 0.00000000000011368684f));
+                        let _e270 = phi_499_;
+                        let _e271 = bitcast<u32>(_e270);
+                        let _e273 = ((_e271 & 2139095040u) != 0u);
+                        let _e287 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e271 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e271 & 2147483648u))), _e270, _e273) * _e227) * select(0.00000011920929f, 1f, _e273)) * _e233);
+                        let _e291 = (bitcast<f32>((bitcast<u32>(_e287) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e291 {
+                            let _e295 = (bitcast<f32>((bitcast<u32>(_e262) & 2147483647u)) * 0.00000011920929f);
+                            phi_551_ = select(0.00000000000011368684f, _e295, (_e295 > 0.00000000000011368684f));
                         } else {
-                            phi_409_ = 0f;
+                            phi_551_ = 0f;
                         }
-                        let _e261 = phi_409_;
-                        let _e262 = (_e239 + _e261);
-                        let _e263 = (_e239 - _e261);
-                        let _e264 = select(_e249, 0f, _e253);
-                        if _e253 {
-                            phi_420_ = 38685626000000000000000000f;
+                        let _e299 = phi_551_;
+                        let _e300 = (_e262 + _e299);
+                        let _e301 = (_e262 - _e299);
+                        let _e302 = select(_e287, 0f, _e291);
+                        if _e291 {
+                            phi_562_ = 38685626000000000000000000f;
                         } else {
-                            phi_420_ = (1f / _e249);
+                            phi_562_ = (1f / _e287);
                         }
-                        let _e267 = phi_420_;
-                        let _e268 = (_e206 == 0u);
-                        if _e268 {
-                            phi_429_ = _e230[0];
+                        let _e305 = phi_562_;
+                        let _e306 = (_e214 == 0u);
+                        if _e306 {
+                            phi_571_ = _e238[0];
                         } else {
-                            phi_429_ = _e230[1];
+                            phi_571_ = _e238[1];
                         }
-                        let _e272 = phi_429_;
-                        let _e273 = (_e206 == 2u);
-                        if _e273 {
-                            phi_435_ = _e230[2];
+                        let _e310 = phi_571_;
+                        let _e311 = (_e214 == 2u);
+                        if _e311 {
+                            phi_577_ = _e238[2];
                         } else {
-                            phi_435_ = _e272;
+                            phi_577_ = _e310;
                         }
-                        let _e276 = phi_435_;
-                        if _e268 {
-                            phi_446_ = _e240[0];
+                        let _e314 = phi_577_;
+                        let _e315 = bitcast<u32>(_e314);
+                        let _e317 = ((_e315 & 2139095040u) != 0u);
+                        let _e329 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e315 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e315 & 2147483648u))), _e314, _e317) * select(0.00000011920929f, 1f, _e317));
+                        if _e306 {
+                            phi_617_ = _e263[0];
                         } else {
-                            phi_446_ = _e240[1];
+                            phi_617_ = _e263[1];
                         }
-                        let _e280 = phi_446_;
-                        if _e273 {
-                            phi_452_ = _e240[2];
+                        let _e333 = phi_617_;
+                        if _e311 {
+                            phi_623_ = _e263[2];
                         } else {
-                            phi_452_ = _e280;
+                            phi_623_ = _e333;
                         }
-                        let _e283 = phi_452_;
-                        let _e285 = ((_e283 * _e219) * _e225);
-                        let _e289 = (bitcast<f32>((bitcast<u32>(_e285) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e289 {
-                            let _e293 = (bitcast<f32>((bitcast<u32>(_e276) & 2147483647u)) * 0.00000011920929f);
-                            phi_475_ = select(0.00000000000011368684f, _e293, (_e293 > 0.00000000000011368684f));
+                        let _e336 = phi_623_;
+                        let _e337 = bitcast<u32>(_e336);
+                        let _e339 = ((_e337 & 2139095040u) != 0u);
+                        let _e353 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e336, _e339) * _e227) * select(0.00000011920929f, 1f, _e339)) * _e233);
+                        let _e357 = (bitcast<f32>((bitcast<u32>(_e353) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e357 {
+                            let _e361 = (bitcast<f32>((bitcast<u32>(_e329) & 2147483647u)) * 0.00000011920929f);
+                            phi_675_ = select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f));
                         } else {
-                            phi_475_ = 0f;
+                            phi_675_ = 0f;
                         }
-                        let _e297 = phi_475_;
-                        let _e298 = (_e276 + _e297);
-                        let _e299 = (_e276 - _e297);
-                        let _e300 = select(_e285, 0f, _e289);
-                        if _e289 {
-                            phi_486_ = 38685626000000000000000000f;
+                        let _e365 = phi_675_;
+                        let _e366 = (_e329 + _e365);
+                        let _e367 = (_e329 - _e365);
+                        let _e368 = select(_e353, 0f, _e357);
+                        if _e357 {
+                            phi_686_ = 38685626000000000000000000f;
                         } else {
-                            phi_486_ = (1f / _e285);
+                            phi_686_ = (1f / _e353);
                         }
-                        let _e303 = phi_486_;
-                        let _e304 = (_e208 == 0u);
-                        if _e304 {
-                            phi_495_ = _e230[0];
+                        let _e371 = phi_686_;
+                        let _e372 = (_e216 == 0u);
+                        if _e372 {
+                            phi_695_ = _e238[0];
                         } else {
-                            phi_495_ = _e230[1];
+                            phi_695_ = _e238[1];
                         }
-                        let _e308 = phi_495_;
-                        let _e309 = (_e208 == 2u);
-                        if _e309 {
-                            phi_501_ = _e230[2];
+                        let _e376 = phi_695_;
+                        let _e377 = (_e216 == 2u);
+                        if _e377 {
+                            phi_701_ = _e238[2];
                         } else {
-                            phi_501_ = _e308;
+                            phi_701_ = _e376;
                         }
-                        let _e312 = phi_501_;
-                        if _e304 {
-                            phi_512_ = _e240[0];
+                        let _e380 = phi_701_;
+                        let _e381 = bitcast<u32>(_e380);
+                        let _e383 = ((_e381 & 2139095040u) != 0u);
+                        let _e395 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e381 & 2147483648u))), _e380, _e383) * select(0.00000011920929f, 1f, _e383));
+                        if _e372 {
+                            phi_741_ = _e263[0];
                         } else {
-                            phi_512_ = _e240[1];
+                            phi_741_ = _e263[1];
                         }
-                        let _e316 = phi_512_;
-                        if _e309 {
-                            phi_518_ = _e240[2];
+                        let _e399 = phi_741_;
+                        if _e377 {
+                            phi_747_ = _e263[2];
                         } else {
-                            phi_518_ = _e316;
+                            phi_747_ = _e399;
                         }
-                        let _e319 = phi_518_;
-                        let _e321 = ((_e319 * _e219) * _e225);
-                        let _e325 = (bitcast<f32>((bitcast<u32>(_e321) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e325 {
-                            let _e329 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) * 0.00000011920929f);
-                            phi_541_ = select(0.00000000000011368684f, _e329, (_e329 > 0.00000000000011368684f));
+                        let _e402 = phi_747_;
+                        let _e403 = bitcast<u32>(_e402);
+                        let _e405 = ((_e403 & 2139095040u) != 0u);
+                        let _e419 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e403 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e403 & 2147483648u))), _e402, _e405) * _e227) * select(0.00000011920929f, 1f, _e405)) * _e233);
+                        let _e423 = (bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e423 {
+                            let _e427 = (bitcast<f32>((bitcast<u32>(_e395) & 2147483647u)) * 0.00000011920929f);
+                            phi_799_ = select(0.00000000000011368684f, _e427, (_e427 > 0.00000000000011368684f));
                         } else {
-                            phi_541_ = 0f;
+                            phi_799_ = 0f;
                         }
-                        let _e333 = phi_541_;
-                        let _e334 = (_e312 + _e333);
-                        let _e335 = (_e312 - _e333);
-                        let _e336 = select(_e321, 0f, _e325);
-                        if _e325 {
-                            phi_552_ = 38685626000000000000000000f;
+                        let _e431 = phi_799_;
+                        let _e432 = (_e395 + _e431);
+                        let _e433 = (_e395 - _e431);
+                        let _e434 = select(_e419, 0f, _e423);
+                        if _e423 {
+                            phi_810_ = 38685626000000000000000000f;
                         } else {
-                            phi_552_ = (1f / _e321);
+                            phi_810_ = (1f / _e419);
                         }
-                        let _e339 = phi_552_;
-                        let _e342 = bitcast<f32>((bitcast<u32>(_e239) & 2147483647u));
-                        let _e345 = bitcast<f32>((bitcast<u32>(_e276) & 2147483647u));
-                        let _e347 = select(_e345, _e342, (_e342 > _e345));
-                        let _e350 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
-                        if (_e169 && (select(_e350, _e347, (_e347 > _e350)) <= 1099511600000f)) {
-                            let _e355 = (_e188 / 3i);
-                            let _e362 = bitcast<f32>((bitcast<u32>((_e355 + 127i)) << bitcast<u32>(23i)));
-                            let _e369 = bitcast<f32>((bitcast<u32>(((_e188 - (2i * _e355)) + 127i)) << bitcast<u32>(23i)));
-                            let _e370 = (((_e153 * _e362) * _e362) * _e369);
-                            let _e372 = select(340282350000000000000000000000000000000f, _e370, (_e370 < 340282350000000000000000000000000000000f));
-                            let _e377 = (((_e163 * _e362) * _e362) * _e369);
-                            let _e379 = select(340282350000000000000000000000000000000f, _e377, (_e377 < 340282350000000000000000000000000000000f));
-                            phi_652_ = select(-340282350000000000000000000000000000000f, _e379, (_e379 > -340282350000000000000000000000000000000f));
-                            phi_653_ = select(-340282350000000000000000000000000000000f, _e372, (_e372 > -340282350000000000000000000000000000000f));
+                        let _e437 = phi_810_;
+                        let _e440 = bitcast<f32>((bitcast<u32>(_e262) & 2147483647u));
+                        let _e443 = bitcast<f32>((bitcast<u32>(_e329) & 2147483647u));
+                        let _e445 = select(_e443, _e440, (_e440 > _e443));
+                        let _e448 = bitcast<f32>((bitcast<u32>(_e395) & 2147483647u));
+                        if (_e177 && (select(_e448, _e445, (_e445 > _e448)) <= 1099511600000f)) {
+                            let _e460 = ((_e163 & 8388607u) | (select(0u, 1u, ((_e163 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e463 = bitcast<i32>((_e163 >> bitcast<u32>(23i)));
+                            let _e467 = (_e460 == 0u);
+                            let _e470 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e460)), 32u, _e467)) - 8i);
+                            if (_e463 == 255i) {
+                                phi_865_ = 255i;
+                            } else {
+                                phi_865_ = (((_e463 + select(0i, 1i, (_e463 == 0i))) - _e470) + _e196);
+                            }
+                            let _e478 = phi_865_;
+                            let _e488 = (_e478 <= 0i);
+                            if _e488 {
+                                phi_888_ = u32();
+                            } else {
+                                if _e467 {
+                                    phi_887_ = u32();
+                                } else {
+                                    phi_887_ = select(((bitcast<u32>(_e478) << bitcast<u32>(23i)) | ((_e460 << bitcast<u32>(((_e470 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e478 >= 255i));
+                                }
+                                let _e492 = phi_887_;
+                                phi_888_ = _e492;
+                            }
+                            let _e494 = phi_888_;
+                            let _e506 = ((_e173 & 8388607u) | (select(0u, 1u, ((_e173 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e509 = bitcast<i32>((_e173 >> bitcast<u32>(23i)));
+                            let _e513 = (_e506 == 0u);
+                            let _e516 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e506)), 32u, _e513)) - 8i);
+                            if (_e509 == 255i) {
+                                phi_925_ = 255i;
+                            } else {
+                                phi_925_ = (((_e509 + select(0i, 1i, (_e509 == 0i))) - _e516) + _e196);
+                            }
+                            let _e524 = phi_925_;
+                            let _e534 = (_e524 <= 0i);
+                            if _e534 {
+                                phi_948_ = u32();
+                            } else {
+                                if _e513 {
+                                    phi_947_ = u32();
+                                } else {
+                                    phi_947_ = select(((bitcast<u32>(_e524) << bitcast<u32>(23i)) | ((_e506 << bitcast<u32>(((_e516 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e524 >= 255i));
+                                }
+                                let _e538 = phi_947_;
+                                phi_948_ = _e538;
+                            }
+                            let _e540 = phi_948_;
+                            phi_956_ = bitcast<f32>(((_e172 & 2147483648u) | select(_e540, 0u, select(_e513, true, _e534))));
+                            phi_957_ = bitcast<f32>(((_e162 & 2147483648u) | select(_e494, 0u, select(_e467, true, _e488))));
                         } else {
-                            phi_652_ = 0f;
-                            phi_653_ = 1f;
+                            phi_956_ = 0f;
+                            phi_957_ = 1f;
                         }
-                        let _e383 = phi_652_;
-                        let _e385 = phi_653_;
-                        if _e84 {
+                        let _e546 = phi_956_;
+                        let _e548 = phi_957_;
+                        if _e92 {
                         } else {
                             break;
                         }
-                        let _e391 = global_3.member[_e83].member_2;
+                        let _e554 = global_3.member[_e91].member_2;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2420_ = false;
-                        phi_673_ = type_48(type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e383), 0u, 0u);
-                        phi_676_ = select(0u, 2147483648u, (_e69 == 0u));
-                        phi_678_ = ((3u * _e69) + 1u);
-                        phi_680_ = (_e385 <= _e383);
-                        phi_682_ = 0u;
+                        phi_2822_ = false;
+                        phi_977_ = type_48(type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e546), 0u, 0u);
+                        phi_980_ = select(0u, 2147483648u, (_e77 == 0u));
+                        phi_982_ = ((3u * _e77) + 1u);
+                        phi_984_ = (_e548 <= _e546);
+                        phi_986_ = 0u;
                         loop {
-                            let _e398 = phi_2420_;
-                            let _e400 = phi_673_;
-                            let _e402 = phi_676_;
-                            let _e404 = phi_678_;
-                            let _e406 = phi_680_;
-                            let _e408 = phi_682_;
-                            local_2 = _e400;
-                            local_3 = _e400;
-                            if _e406 {
-                                phi_693_ = true;
+                            let _e561 = phi_2822_;
+                            let _e563 = phi_977_;
+                            let _e565 = phi_980_;
+                            let _e567 = phi_982_;
+                            let _e569 = phi_984_;
+                            let _e571 = phi_986_;
+                            local_2 = _e563;
+                            local_3 = _e563;
+                            if _e569 {
+                                phi_997_ = true;
                             } else {
-                                phi_693_ = (_e408 > 0u);
+                                phi_997_ = (_e571 > 0u);
                             }
-                            let _e411 = phi_693_;
-                            if _e411 {
-                                let _e412 = (_e404 > 0u);
-                                if _e412 {
-                                    if _e406 {
-                                        phi_725_ = _e402;
-                                        phi_726_ = _e406;
-                                        phi_727_ = _e408;
+                            let _e574 = phi_997_;
+                            if _e574 {
+                                let _e575 = (_e567 > 0u);
+                                if _e575 {
+                                    if _e569 {
+                                        phi_1029_ = _e565;
+                                        phi_1030_ = _e569;
+                                        phi_1031_ = _e571;
                                     } else {
-                                        let _e413 = (_e408 - 1u);
-                                        let _e414 = (_e413 % 128u);
-                                        let _e415 = (_e414 < 128u);
-                                        if _e415 {
+                                        let _e576 = (_e571 - 1u);
+                                        let _e577 = (_e576 % 128u);
+                                        let _e578 = (_e577 < 128u);
+                                        if _e578 {
                                         } else {
-                                            phi_2556_ = true;
+                                            phi_2976_ = true;
                                             break;
                                         }
-                                        let _e417 = local_1[_e414];
-                                        if _e415 {
+                                        let _e580 = local_1[_e577];
+                                        if _e578 {
                                         } else {
-                                            phi_2556_ = true;
+                                            phi_2976_ = true;
                                             break;
                                         }
-                                        let _e419 = local[_e414];
-                                        phi_725_ = _e417;
-                                        phi_726_ = (_e419 <= _e400.member.member_1);
-                                        phi_727_ = _e413;
+                                        let _e582 = local[_e577];
+                                        phi_1029_ = _e580;
+                                        phi_1030_ = (_e582 <= _e563.member.member_1);
+                                        phi_1031_ = _e576;
                                     }
-                                    let _e424 = phi_725_;
-                                    let _e426 = phi_726_;
-                                    let _e428 = phi_727_;
-                                    if _e426 {
-                                        if ((_e424 & 2147483648u) != 0u) {
-                                            phi_742_ = _e400;
-                                            phi_745_ = type_7(0u, ((_e424 >> bitcast<u32>(28u)) & 7u));
+                                    let _e587 = phi_1029_;
+                                    let _e589 = phi_1030_;
+                                    let _e591 = phi_1031_;
+                                    if _e589 {
+                                        if ((_e587 & 2147483648u) != 0u) {
+                                            phi_1046_ = _e563;
+                                            phi_1049_ = type_7(0u, ((_e587 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e633 = phi_742_;
-                                                let _e635 = phi_745_;
-                                                local_4 = _e633;
-                                                if (_e635.member < _e635.member_1) {
-                                                    phi_746_ = type_7((_e635.member + 1u), _e635.member_1);
-                                                    phi_768_ = type_7(1u, _e635.member);
+                                                let _e796 = phi_1046_;
+                                                let _e798 = phi_1049_;
+                                                local_4 = _e796;
+                                                if (_e798.member < _e798.member_1) {
+                                                    phi_1050_ = type_7((_e798.member + 1u), _e798.member_1);
+                                                    phi_1072_ = type_7(1u, _e798.member);
                                                 } else {
-                                                    phi_746_ = _e635;
-                                                    phi_768_ = type_7(0u, type_7().member_1);
+                                                    phi_1050_ = _e798;
+                                                    phi_1072_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e648 = phi_746_;
-                                                let _e650 = phi_768_;
-                                                let _e654 = (bitcast<i32>(_e650.member) != 0i);
-                                                if _e654 {
-                                                    let _e660 = type_48(_e633.member, _e633.member_1, (_e633.member_2 + 1u));
-                                                    let _e661 = ((_e424 & 268435455u) + _e650.member_1);
-                                                    let _e662 = (_e661 < _e71);
-                                                    if _e662 {
-                                                        if _e662 {
+                                                let _e811 = phi_1050_;
+                                                let _e813 = phi_1072_;
+                                                let _e817 = (bitcast<i32>(_e813.member) != 0i);
+                                                if _e817 {
+                                                    let _e823 = type_48(_e796.member, _e796.member_1, (_e796.member_2 + 1u));
+                                                    let _e824 = ((_e587 & 268435455u) + _e813.member_1);
+                                                    let _e825 = (_e824 < _e79);
+                                                    if _e825 {
+                                                        if _e825 {
                                                         } else {
-                                                            phi_2414_ = true;
+                                                            phi_2816_ = true;
                                                             break;
                                                         }
-                                                        let _e666 = global_1.member[_e661].member_1;
-                                                        phi_792_ = _e666;
+                                                        let _e829 = global_1.member[_e824].member_1;
+                                                        phi_1096_ = _e829;
                                                     } else {
-                                                        phi_792_ = 4294967295u;
+                                                        phi_1096_ = 4294967295u;
                                                     }
-                                                    let _e668 = phi_792_;
-                                                    if (_e661 >= _e71) {
-                                                        phi_881_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e831 = phi_1096_;
+                                                    if (_e824 >= _e79) {
+                                                        phi_1185_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e662 {
+                                                        if _e825 {
                                                         } else {
-                                                            phi_2414_ = true;
+                                                            phi_2816_ = true;
                                                             break;
                                                         }
-                                                        let _e670 = (_e207 % 3u);
-                                                        let _e671 = (_e206 % 3u);
-                                                        let _e672 = (_e208 % 3u);
-                                                        if (_e670 < 9u) {
+                                                        let _e833 = (_e215 % 3u);
+                                                        let _e834 = (_e214 % 3u);
+                                                        let _e835 = (_e216 % 3u);
+                                                        if (_e833 < 9u) {
                                                         } else {
-                                                            phi_2414_ = true;
+                                                            phi_2816_ = true;
                                                             break;
                                                         }
-                                                        let _e678 = global_1.member[_e661].member[_e670];
-                                                        if (_e671 < 9u) {
+                                                        let _e841 = global_1.member[_e824].member[_e833];
+                                                        if (_e834 < 9u) {
                                                         } else {
-                                                            phi_2414_ = true;
+                                                            phi_2816_ = true;
                                                             break;
                                                         }
-                                                        let _e684 = global_1.member[_e661].member[_e671];
-                                                        if (_e672 < 9u) {
+                                                        let _e847 = global_1.member[_e824].member[_e834];
+                                                        if (_e835 < 9u) {
                                                         } else {
-                                                            phi_2414_ = true;
+                                                            phi_2816_ = true;
                                                             break;
                                                         }
-                                                        let _e690 = global_1.member[_e661].member[_e672];
-                                                        let _e692 = (3u + _e670);
-                                                        if (_e692 < 9u) {
+                                                        let _e853 = global_1.member[_e824].member[_e835];
+                                                        let _e855 = (3u + _e833);
+                                                        if (_e855 < 9u) {
                                                         } else {
-                                                            phi_2414_ = true;
+                                                            phi_2816_ = true;
                                                             break;
                                                         }
-                                                        let _e698 = global_1.member[_e661].member[_e692];
-                                                        let _e699 = (3u + _e671);
-                                                        if (_e699 < 9u) {
+                                                        let _e861 = global_1.member[_e824].member[_e855];
+                                                        let _e862 = (3u + _e834);
+                                                        if (_e862 < 9u) {
                                                         } else {
-                                                            phi_2414_ = true;
+                                                            phi_2816_ = true;
                                                             break;
                                                         }
-                                                        let _e705 = global_1.member[_e661].member[_e699];
-                                                        let _e706 = (3u + _e672);
-                                                        if (_e706 < 9u) {
+                                                        let _e868 = global_1.member[_e824].member[_e862];
+                                                        let _e869 = (3u + _e835);
+                                                        if (_e869 < 9u) {
                                                         } else {
-                                                            phi_2414_ = true;
+                                                            phi_2816_ = true;
                                                             break;
                                                         }
-                                                        let _e712 = global_1.member[_e661].member[_e706];
-                                                        let _e714 = (6u + _e670);
-                                                        if (_e714 < 9u) {
+                                                        let _e875 = global_1.member[_e824].member[_e869];
+                                                        let _e877 = (6u + _e833);
+                                                        if (_e877 < 9u) {
                                                         } else {
-                                                            phi_2414_ = true;
+                                                            phi_2816_ = true;
                                                             break;
                                                         }
-                                                        let _e720 = global_1.member[_e661].member[_e714];
-                                                        let _e721 = (6u + _e671);
-                                                        if (_e721 < 9u) {
+                                                        let _e883 = global_1.member[_e824].member[_e877];
+                                                        let _e884 = (6u + _e834);
+                                                        if (_e884 < 9u) {
                                                         } else {
-                                                            phi_2414_ = true;
+                                                            phi_2816_ = true;
                                                             break;
                                                         }
-                                                        let _e727 = global_1.member[_e661].member[_e721];
-                                                        let _e728 = (6u + _e672);
-                                                        if (_e728 < 9u) {
+                                                        let _e890 = global_1.member[_e824].member[_e884];
+                                                        let _e891 = (6u + _e835);
+                                                        if (_e891 < 9u) {
                                                         } else {
-                                                            phi_2414_ = true;
+                                                            phi_2816_ = true;
                                                             break;
                                                         }
-                                                        let _e734 = global_1.member[_e661].member[_e728];
-                                                        phi_881_ = array<array<f32, 3>, 3>(array<f32, 3>(_e678, _e684, _e690), array<f32, 3>(_e698, _e705, _e712), array<f32, 3>(_e720, _e727, _e734));
+                                                        let _e897 = global_1.member[_e824].member[_e891];
+                                                        phi_1185_ = array<array<f32, 3>, 3>(array<f32, 3>(_e841, _e847, _e853), array<f32, 3>(_e861, _e868, _e875), array<f32, 3>(_e883, _e890, _e897));
                                                     }
-                                                    let _e738 = phi_881_;
-                                                    let _e747 = (_e738[0][2] - _e312);
-                                                    let _e750 = (((_e738[0][0] - _e239) * _e336) - (_e747 * _e264));
-                                                    let _e753 = (((_e738[0][1] - _e276) * _e336) - (_e747 * _e300));
-                                                    let _e760 = (_e738[1][2] - _e312);
-                                                    let _e763 = (((_e738[1][0] - _e239) * _e336) - (_e760 * _e264));
-                                                    let _e766 = (((_e738[1][1] - _e276) * _e336) - (_e760 * _e300));
-                                                    let _e773 = (_e738[2][2] - _e312);
-                                                    let _e776 = (((_e738[2][0] - _e239) * _e336) - (_e773 * _e264));
-                                                    let _e779 = (((_e738[2][1] - _e276) * _e336) - (_e773 * _e300));
-                                                    let _e780 = (_e776 * _e766);
-                                                    let _e781 = (_e779 * _e763);
-                                                    let _e782 = (_e750 * _e779);
-                                                    let _e783 = (_e753 * _e776);
-                                                    let _e784 = (_e763 * _e753);
-                                                    let _e785 = (_e766 * _e750);
-                                                    let _e790 = (((_e780 >= _e781) && (_e782 >= _e783)) && (_e784 >= _e785));
-                                                    if (_e790 || (((_e780 <= _e781) && (_e782 <= _e783)) && (_e784 <= _e785))) {
-                                                        let _e797 = select(-1f, 1f, _e790);
-                                                        let _e799 = ((_e780 - _e781) * _e797);
-                                                        let _e801 = select(0f, _e799, (_e799 > 0f));
-                                                        let _e803 = ((_e782 - _e783) * _e797);
-                                                        let _e805 = select(0f, _e803, (_e803 > 0f));
-                                                        let _e807 = ((_e784 - _e785) * _e797);
-                                                        let _e809 = select(0f, _e807, (_e807 > 0f));
-                                                        let _e811 = ((_e801 + _e805) + _e809);
-                                                        if (_e811 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1706_ = type_22();
-                                                            phi_1707_ = true;
-                                                            phi_1708_ = false;
+                                                    let _e901 = phi_1185_;
+                                                    let _e910 = (_e901[0][2] - _e395);
+                                                    let _e913 = (((_e901[0][0] - _e262) * _e434) - (_e910 * _e302));
+                                                    let _e916 = (((_e901[0][1] - _e329) * _e434) - (_e910 * _e368));
+                                                    let _e923 = (_e901[1][2] - _e395);
+                                                    let _e926 = (((_e901[1][0] - _e262) * _e434) - (_e923 * _e302));
+                                                    let _e929 = (((_e901[1][1] - _e329) * _e434) - (_e923 * _e368));
+                                                    let _e936 = (_e901[2][2] - _e395);
+                                                    let _e939 = (((_e901[2][0] - _e262) * _e434) - (_e936 * _e302));
+                                                    let _e942 = (((_e901[2][1] - _e329) * _e434) - (_e936 * _e368));
+                                                    let _e943 = (_e939 * _e929);
+                                                    let _e944 = (_e942 * _e926);
+                                                    let _e945 = (_e913 * _e942);
+                                                    let _e946 = (_e916 * _e939);
+                                                    let _e947 = (_e926 * _e916);
+                                                    let _e948 = (_e929 * _e913);
+                                                    let _e953 = (((_e943 >= _e944) && (_e945 >= _e946)) && (_e947 >= _e948));
+                                                    if (_e953 || (((_e943 <= _e944) && (_e945 <= _e946)) && (_e947 <= _e948))) {
+                                                        let _e960 = select(-1f, 1f, _e953);
+                                                        let _e962 = ((_e943 - _e944) * _e960);
+                                                        let _e964 = select(0f, _e962, (_e962 > 0f));
+                                                        let _e966 = ((_e945 - _e946) * _e960);
+                                                        let _e968 = select(0f, _e966, (_e966 > 0f));
+                                                        let _e970 = ((_e947 - _e948) * _e960);
+                                                        let _e972 = select(0f, _e970, (_e970 > 0f));
+                                                        let _e974 = ((_e964 + _e968) + _e972);
+                                                        if (_e974 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2010_ = type_22();
+                                                            phi_2011_ = true;
+                                                            phi_2012_ = false;
                                                         } else {
-                                                            let _e814 = select(_e763, _e750, (_e750 < _e763));
-                                                            if (select(_e776, _e814, (_e814 < _e776)) > 0f) {
-                                                                phi_998_ = true;
+                                                            let _e977 = select(_e926, _e913, (_e913 < _e926));
+                                                            if (select(_e939, _e977, (_e977 < _e939)) > 0f) {
+                                                                phi_1302_ = true;
                                                             } else {
-                                                                let _e819 = select(_e763, _e750, (_e750 > _e763));
-                                                                phi_998_ = (select(_e776, _e819, (_e819 > _e776)) < 0f);
+                                                                let _e982 = select(_e926, _e913, (_e913 > _e926));
+                                                                phi_1302_ = (select(_e939, _e982, (_e982 > _e939)) < 0f);
                                                             }
-                                                            let _e824 = phi_998_;
-                                                            if _e824 {
-                                                                phi_1703_ = type_22();
-                                                                phi_1704_ = true;
-                                                                phi_1705_ = false;
+                                                            let _e987 = phi_1302_;
+                                                            if _e987 {
+                                                                phi_2007_ = type_22();
+                                                                phi_2008_ = true;
+                                                                phi_2009_ = false;
                                                             } else {
-                                                                let _e826 = select(_e766, _e753, (_e753 < _e766));
-                                                                if (select(_e779, _e826, (_e826 < _e779)) > 0f) {
-                                                                    phi_1027_ = true;
+                                                                let _e989 = select(_e929, _e916, (_e916 < _e929));
+                                                                if (select(_e942, _e989, (_e989 < _e942)) > 0f) {
+                                                                    phi_1331_ = true;
                                                                 } else {
-                                                                    let _e831 = select(_e766, _e753, (_e753 > _e766));
-                                                                    phi_1027_ = (select(_e779, _e831, (_e831 > _e779)) < 0f);
+                                                                    let _e994 = select(_e929, _e916, (_e916 > _e929));
+                                                                    phi_1331_ = (select(_e942, _e994, (_e994 > _e942)) < 0f);
                                                                 }
-                                                                let _e836 = phi_1027_;
-                                                                if _e836 {
-                                                                    phi_1701_ = type_22();
-                                                                    phi_1702_ = false;
+                                                                let _e999 = phi_1331_;
+                                                                if _e999 {
+                                                                    phi_2005_ = type_22();
+                                                                    phi_2006_ = false;
                                                                 } else {
-                                                                    let _e838 = select(_e738[1][0], _e738[0][0], (_e738[0][0] < _e738[1][0]));
-                                                                    let _e842 = select(_e738[1][0], _e738[0][0], (_e738[0][0] > _e738[1][0]));
-                                                                    let _e846 = select(_e738[1][1], _e738[0][1], (_e738[0][1] < _e738[1][1]));
-                                                                    let _e850 = select(_e738[1][1], _e738[0][1], (_e738[0][1] > _e738[1][1]));
-                                                                    let _e854 = select(_e738[1][2], _e738[0][2], (_e738[0][2] < _e738[1][2]));
-                                                                    let _e858 = select(_e738[1][2], _e738[0][2], (_e738[0][2] > _e738[1][2]));
-                                                                    let _e863 = ((select(_e738[2][0], _e838, (_e838 < _e738[2][0])) - _e262) * _e267);
-                                                                    let _e864 = ((select(_e738[2][0], _e842, (_e842 > _e738[2][0])) - _e263) * _e267);
-                                                                    let _e867 = ((select(_e738[2][1], _e846, (_e846 < _e738[2][1])) - _e298) * _e303);
-                                                                    let _e868 = ((select(_e738[2][1], _e850, (_e850 > _e738[2][1])) - _e299) * _e303);
-                                                                    let _e871 = ((select(_e738[2][2], _e854, (_e854 < _e738[2][2])) - _e334) * _e339);
-                                                                    let _e872 = ((select(_e738[2][2], _e858, (_e858 > _e738[2][2])) - _e335) * _e339);
-                                                                    let _e874 = select(_e872, _e871, (_e871 < _e872));
-                                                                    let _e876 = select(_e872, _e871, (_e871 > _e872));
-                                                                    let _e878 = select(_e864, _e863, (_e863 < _e864));
-                                                                    let _e880 = select(_e868, _e867, (_e867 < _e868));
-                                                                    let _e882 = select(_e880, _e878, (_e878 > _e880));
-                                                                    let _e884 = select(_e874, _e882, (_e882 > _e874));
-                                                                    let _e886 = select(_e864, _e863, (_e863 > _e864));
-                                                                    let _e888 = select(_e868, _e867, (_e867 > _e868));
-                                                                    let _e890 = select(_e888, _e886, (_e886 < _e888));
-                                                                    let _e892 = select(_e876, _e890, (_e890 < _e876));
-                                                                    let _e893 = -(_e874);
-                                                                    let _e899 = select(_e385, _e884, (_e884 > _e385));
-                                                                    if (_e899 > (_e892 + (select(_e893, _e876, (_e876 > _e893)) * 0.0000019073523f))) {
-                                                                        phi_1696_ = type_22();
-                                                                        phi_1697_ = true;
+                                                                    let _e1001 = select(_e901[1][0], _e901[0][0], (_e901[0][0] < _e901[1][0]));
+                                                                    let _e1005 = select(_e901[1][0], _e901[0][0], (_e901[0][0] > _e901[1][0]));
+                                                                    let _e1009 = select(_e901[1][1], _e901[0][1], (_e901[0][1] < _e901[1][1]));
+                                                                    let _e1013 = select(_e901[1][1], _e901[0][1], (_e901[0][1] > _e901[1][1]));
+                                                                    let _e1017 = select(_e901[1][2], _e901[0][2], (_e901[0][2] < _e901[1][2]));
+                                                                    let _e1021 = select(_e901[1][2], _e901[0][2], (_e901[0][2] > _e901[1][2]));
+                                                                    let _e1026 = ((select(_e901[2][0], _e1001, (_e1001 < _e901[2][0])) - _e300) * _e305);
+                                                                    let _e1027 = ((select(_e901[2][0], _e1005, (_e1005 > _e901[2][0])) - _e301) * _e305);
+                                                                    let _e1030 = ((select(_e901[2][1], _e1009, (_e1009 < _e901[2][1])) - _e366) * _e371);
+                                                                    let _e1031 = ((select(_e901[2][1], _e1013, (_e1013 > _e901[2][1])) - _e367) * _e371);
+                                                                    let _e1034 = ((select(_e901[2][2], _e1017, (_e1017 < _e901[2][2])) - _e432) * _e437);
+                                                                    let _e1035 = ((select(_e901[2][2], _e1021, (_e1021 > _e901[2][2])) - _e433) * _e437);
+                                                                    let _e1037 = select(_e1035, _e1034, (_e1034 < _e1035));
+                                                                    let _e1039 = select(_e1035, _e1034, (_e1034 > _e1035));
+                                                                    let _e1041 = select(_e1027, _e1026, (_e1026 < _e1027));
+                                                                    let _e1043 = select(_e1031, _e1030, (_e1030 < _e1031));
+                                                                    let _e1045 = select(_e1043, _e1041, (_e1041 > _e1043));
+                                                                    let _e1047 = select(_e1037, _e1045, (_e1045 > _e1037));
+                                                                    let _e1049 = select(_e1027, _e1026, (_e1026 > _e1027));
+                                                                    let _e1051 = select(_e1031, _e1030, (_e1030 > _e1031));
+                                                                    let _e1053 = select(_e1051, _e1049, (_e1049 < _e1051));
+                                                                    let _e1055 = select(_e1039, _e1053, (_e1053 < _e1039));
+                                                                    let _e1056 = -(_e1037);
+                                                                    let _e1062 = select(_e548, _e1047, (_e1047 > _e548));
+                                                                    if (_e1062 > (_e1055 + (select(_e1056, _e1039, (_e1039 > _e1056)) * 0.0000019073523f))) {
+                                                                        phi_2000_ = type_22();
+                                                                        phi_2001_ = true;
                                                                     } else {
-                                                                        let _e901 = (_e899 > _e633.member.member_1);
-                                                                        if _e901 {
-                                                                            phi_1695_ = type_22();
+                                                                        let _e1064 = (_e1062 > _e796.member.member_1);
+                                                                        if _e1064 {
+                                                                            phi_1999_ = type_22();
                                                                         } else {
-                                                                            let _e902 = vec3<f32>(_e738[0][0], _e738[0][1], _e738[0][2]);
-                                                                            let _e903 = vec3<f32>(_e738[1][0], _e738[1][1], _e738[1][2]);
-                                                                            let _e904 = vec3<f32>(_e738[2][0], _e738[2][1], _e738[2][2]);
-                                                                            let _e905 = (_e738[1][0] - _e738[0][0]);
-                                                                            let _e906 = (_e738[1][1] - _e738[0][1]);
-                                                                            let _e907 = (_e738[1][2] - _e738[0][2]);
-                                                                            let _e908 = vec3<f32>(_e905, _e906, _e907);
-                                                                            let _e909 = (_e738[2][0] - _e738[1][0]);
-                                                                            let _e910 = (_e738[2][1] - _e738[1][1]);
-                                                                            let _e911 = (_e738[2][2] - _e738[1][2]);
-                                                                            let _e912 = vec3<f32>(_e909, _e910, _e911);
-                                                                            let _e913 = (_e738[0][0] - _e738[2][0]);
-                                                                            let _e914 = (_e738[0][1] - _e738[2][1]);
-                                                                            let _e915 = (_e738[0][2] - _e738[2][2]);
-                                                                            let _e916 = vec3<f32>(_e913, _e914, _e915);
-                                                                            let _e919 = bitcast<f32>((bitcast<u32>(_e905) & 2147483647u));
-                                                                            let _e922 = bitcast<f32>((bitcast<u32>(_e906) & 2147483647u));
-                                                                            let _e924 = select(_e922, _e919, (_e919 > _e922));
-                                                                            let _e927 = bitcast<f32>((bitcast<u32>(_e907) & 2147483647u));
-                                                                            let _e929 = select(_e927, _e924, (_e924 > _e927));
-                                                                            let _e932 = bitcast<f32>((bitcast<u32>(_e909) & 2147483647u));
-                                                                            let _e935 = bitcast<f32>((bitcast<u32>(_e910) & 2147483647u));
-                                                                            let _e937 = select(_e935, _e932, (_e932 > _e935));
-                                                                            let _e940 = bitcast<f32>((bitcast<u32>(_e911) & 2147483647u));
-                                                                            let _e942 = select(_e940, _e937, (_e937 > _e940));
-                                                                            let _e945 = bitcast<f32>((bitcast<u32>(_e913) & 2147483647u));
-                                                                            let _e948 = bitcast<f32>((bitcast<u32>(_e914) & 2147483647u));
-                                                                            let _e950 = select(_e948, _e945, (_e945 > _e948));
-                                                                            let _e953 = bitcast<f32>((bitcast<u32>(_e915) & 2147483647u));
-                                                                            let _e955 = select(_e953, _e950, (_e950 > _e953));
-                                                                            let _e957 = select(_e942, _e929, (_e929 > _e942));
-                                                                            let _e959 = select(_e955, _e957, (_e957 > _e955));
-                                                                            if (_e929 == _e959) {
-                                                                                phi_1428_ = _e766;
-                                                                                phi_1429_ = _e763;
-                                                                                phi_1430_ = _e753;
-                                                                                phi_1431_ = _e750;
-                                                                                phi_1432_ = _e902;
-                                                                                phi_1433_ = _e916;
-                                                                                phi_1434_ = _e912;
-                                                                                phi_1435_ = _e908;
+                                                                            let _e1065 = vec3<f32>(_e901[0][0], _e901[0][1], _e901[0][2]);
+                                                                            let _e1066 = vec3<f32>(_e901[1][0], _e901[1][1], _e901[1][2]);
+                                                                            let _e1067 = vec3<f32>(_e901[2][0], _e901[2][1], _e901[2][2]);
+                                                                            let _e1068 = (_e901[1][0] - _e901[0][0]);
+                                                                            let _e1069 = (_e901[1][1] - _e901[0][1]);
+                                                                            let _e1070 = (_e901[1][2] - _e901[0][2]);
+                                                                            let _e1071 = vec3<f32>(_e1068, _e1069, _e1070);
+                                                                            let _e1072 = (_e901[2][0] - _e901[1][0]);
+                                                                            let _e1073 = (_e901[2][1] - _e901[1][1]);
+                                                                            let _e1074 = (_e901[2][2] - _e901[1][2]);
+                                                                            let _e1075 = vec3<f32>(_e1072, _e1073, _e1074);
+                                                                            let _e1076 = (_e901[0][0] - _e901[2][0]);
+                                                                            let _e1077 = (_e901[0][1] - _e901[2][1]);
+                                                                            let _e1078 = (_e901[0][2] - _e901[2][2]);
+                                                                            let _e1079 = vec3<f32>(_e1076, _e1077, _e1078);
+                                                                            let _e1082 = bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u));
+                                                                            let _e1085 = bitcast<f32>((bitcast<u32>(_e1069) & 2147483647u));
+                                                                            let _e1087 = select(_e1085, _e1082, (_e1082 > _e1085));
+                                                                            let _e1090 = bitcast<f32>((bitcast<u32>(_e1070) & 2147483647u));
+                                                                            let _e1092 = select(_e1090, _e1087, (_e1087 > _e1090));
+                                                                            let _e1095 = bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u));
+                                                                            let _e1098 = bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u));
+                                                                            let _e1100 = select(_e1098, _e1095, (_e1095 > _e1098));
+                                                                            let _e1103 = bitcast<f32>((bitcast<u32>(_e1074) & 2147483647u));
+                                                                            let _e1105 = select(_e1103, _e1100, (_e1100 > _e1103));
+                                                                            let _e1108 = bitcast<f32>((bitcast<u32>(_e1076) & 2147483647u));
+                                                                            let _e1111 = bitcast<f32>((bitcast<u32>(_e1077) & 2147483647u));
+                                                                            let _e1113 = select(_e1111, _e1108, (_e1108 > _e1111));
+                                                                            let _e1116 = bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u));
+                                                                            let _e1118 = select(_e1116, _e1113, (_e1113 > _e1116));
+                                                                            let _e1120 = select(_e1105, _e1092, (_e1092 > _e1105));
+                                                                            let _e1122 = select(_e1118, _e1120, (_e1120 > _e1118));
+                                                                            if (_e1092 == _e1122) {
+                                                                                phi_1732_ = _e929;
+                                                                                phi_1733_ = _e926;
+                                                                                phi_1734_ = _e916;
+                                                                                phi_1735_ = _e913;
+                                                                                phi_1736_ = _e1065;
+                                                                                phi_1737_ = _e1079;
+                                                                                phi_1738_ = _e1075;
+                                                                                phi_1739_ = _e1071;
                                                                             } else {
-                                                                                let _e961 = (_e942 == _e959);
-                                                                                let _e966 = vec3(_e961);
-                                                                                phi_1428_ = select(_e753, _e779, _e961);
-                                                                                phi_1429_ = select(_e750, _e776, _e961);
-                                                                                phi_1430_ = select(_e779, _e766, _e961);
-                                                                                phi_1431_ = select(_e776, _e763, _e961);
-                                                                                phi_1432_ = select(_e904, _e903, _e966);
-                                                                                phi_1433_ = select(_e912, _e908, _e966);
-                                                                                phi_1434_ = select(_e908, _e916, _e966);
-                                                                                phi_1435_ = select(_e916, _e912, _e966);
+                                                                                let _e1124 = (_e1105 == _e1122);
+                                                                                let _e1129 = vec3(_e1124);
+                                                                                phi_1732_ = select(_e916, _e942, _e1124);
+                                                                                phi_1733_ = select(_e913, _e939, _e1124);
+                                                                                phi_1734_ = select(_e942, _e929, _e1124);
+                                                                                phi_1735_ = select(_e939, _e926, _e1124);
+                                                                                phi_1736_ = select(_e1067, _e1066, _e1129);
+                                                                                phi_1737_ = select(_e1075, _e1071, _e1129);
+                                                                                phi_1738_ = select(_e1071, _e1079, _e1129);
+                                                                                phi_1739_ = select(_e1079, _e1075, _e1129);
                                                                             }
-                                                                            let _e972 = phi_1428_;
-                                                                            let _e974 = phi_1429_;
-                                                                            let _e976 = phi_1430_;
-                                                                            let _e978 = phi_1431_;
-                                                                            let _e980 = phi_1432_;
-                                                                            let _e982 = phi_1433_;
-                                                                            let _e984 = phi_1434_;
-                                                                            let _e986 = phi_1435_;
-                                                                            let _e993 = ((_e984.y * _e982.z) - (_e982.y * _e984.z));
-                                                                            let _e998 = ((_e984.z * _e982.x) - (_e982.z * _e984.x));
-                                                                            let _e1001 = ((_e984.x * _e982.y) - (_e982.x * _e984.y));
-                                                                            if (_e801 >= _e805) {
-                                                                                phi_1466_ = select(true, false, (_e801 >= _e809));
+                                                                            let _e1135 = phi_1732_;
+                                                                            let _e1137 = phi_1733_;
+                                                                            let _e1139 = phi_1734_;
+                                                                            let _e1141 = phi_1735_;
+                                                                            let _e1143 = phi_1736_;
+                                                                            let _e1145 = phi_1737_;
+                                                                            let _e1147 = phi_1738_;
+                                                                            let _e1149 = phi_1739_;
+                                                                            let _e1156 = ((_e1147.y * _e1145.z) - (_e1145.y * _e1147.z));
+                                                                            let _e1161 = ((_e1147.z * _e1145.x) - (_e1145.z * _e1147.x));
+                                                                            let _e1164 = ((_e1147.x * _e1145.y) - (_e1145.x * _e1147.y));
+                                                                            if (_e964 >= _e968) {
+                                                                                phi_1770_ = select(true, false, (_e964 >= _e972));
                                                                             } else {
-                                                                                phi_1466_ = true;
+                                                                                phi_1770_ = true;
                                                                             }
-                                                                            let _e1006 = phi_1466_;
-                                                                            if _e1006 {
-                                                                                phi_1475_ = select(_e904, _e903, vec3((_e805 >= _e809)));
+                                                                            let _e1169 = phi_1770_;
+                                                                            if _e1169 {
+                                                                                phi_1779_ = select(_e1067, _e1066, vec3((_e968 >= _e972)));
                                                                             } else {
-                                                                                phi_1475_ = _e902;
+                                                                                phi_1779_ = _e1065;
                                                                             }
-                                                                            let _e1011 = phi_1475_;
-                                                                            let _e1022 = (((_e993 * (_e1011.x - _e239)) + (_e998 * (_e1011.y - _e276))) + (_e1001 * (_e1011.z - _e312)));
-                                                                            let _e1027 = (((_e993 * _e264) + (_e998 * _e300)) + (_e1001 * _e336));
-                                                                            let _e1028 = (_e974 - _e978);
-                                                                            let _e1029 = (_e972 - _e976);
-                                                                            let _e1037 = (-(((_e978 * _e1028) + (_e976 * _e1029))) / ((_e1028 * _e1028) + (_e1029 * _e1029)));
-                                                                            let _e1039 = select(1f, _e1037, (_e1037 < 1f));
-                                                                            let _e1041 = select(0f, _e1039, (_e1039 > 0f));
-                                                                            let _e1054 = ((_e980.x + (_e986.x * _e1041)) - _e239);
-                                                                            let _e1055 = ((_e980.y + (_e986.y * _e1041)) - _e276);
-                                                                            let _e1056 = ((_e980.z + (_e986.z * _e1041)) - _e312);
-                                                                            let _e1057 = (_e1056 / _e336);
-                                                                            let _e1069 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
-                                                                            let _e1072 = bitcast<f32>((bitcast<u32>(_e1055) & 2147483647u));
-                                                                            let _e1074 = select(_e1072, _e1069, (_e1069 > _e1072));
-                                                                            let _e1077 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
-                                                                            let _e1079 = select(_e1077, _e1074, (_e1074 > _e1077));
-                                                                            let _e1085 = bitcast<f32>((bitcast<u32>(_e993) & 2147483647u));
-                                                                            let _e1088 = bitcast<f32>((bitcast<u32>(_e998) & 2147483647u));
-                                                                            let _e1090 = select(_e1088, _e1085, (_e1085 > _e1088));
-                                                                            let _e1093 = bitcast<f32>((bitcast<u32>(_e1001) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e993 * _e1054) + (_e998 * _e1055)) + (_e1001 * _e1056)) - _e1022)) & 2147483647u)) <= ((0.0000009536743f * select(_e959, _e1079, (_e1079 > _e959))) * select(_e1093, _e1090, (_e1090 > _e1093)))) {
-                                                                                let _e1103 = bitcast<f32>((bitcast<u32>(_e984.x) & 2147483647u));
-                                                                                let _e1106 = bitcast<f32>((bitcast<u32>(_e984.y) & 2147483647u));
-                                                                                let _e1108 = select(_e1106, _e1103, (_e1103 > _e1106));
-                                                                                let _e1111 = bitcast<f32>((bitcast<u32>(_e984.z) & 2147483647u));
-                                                                                let _e1117 = bitcast<f32>((bitcast<u32>(_e982.x) & 2147483647u));
-                                                                                let _e1120 = bitcast<f32>((bitcast<u32>(_e982.y) & 2147483647u));
-                                                                                let _e1122 = select(_e1120, _e1117, (_e1117 > _e1120));
-                                                                                let _e1125 = bitcast<f32>((bitcast<u32>(_e982.z) & 2147483647u));
-                                                                                let _e1129 = (bitcast<f32>((bitcast<u32>(_e1027) & 2147483647u)) > ((0.0000038146973f * select(_e1111, _e1108, (_e1108 > _e1111))) * select(_e1125, _e1122, (_e1122 > _e1125))));
-                                                                                if _e1129 {
-                                                                                    phi_1640_ = (_e1022 / _e1027);
+                                                                            let _e1174 = phi_1779_;
+                                                                            let _e1185 = (((_e1156 * (_e1174.x - _e262)) + (_e1161 * (_e1174.y - _e329))) + (_e1164 * (_e1174.z - _e395)));
+                                                                            let _e1190 = (((_e1156 * _e302) + (_e1161 * _e368)) + (_e1164 * _e434));
+                                                                            let _e1191 = (_e1137 - _e1141);
+                                                                            let _e1192 = (_e1135 - _e1139);
+                                                                            let _e1200 = (-(((_e1141 * _e1191) + (_e1139 * _e1192))) / ((_e1191 * _e1191) + (_e1192 * _e1192)));
+                                                                            let _e1202 = select(1f, _e1200, (_e1200 < 1f));
+                                                                            let _e1204 = select(0f, _e1202, (_e1202 > 0f));
+                                                                            let _e1217 = ((_e1143.x + (_e1149.x * _e1204)) - _e262);
+                                                                            let _e1218 = ((_e1143.y + (_e1149.y * _e1204)) - _e329);
+                                                                            let _e1219 = ((_e1143.z + (_e1149.z * _e1204)) - _e395);
+                                                                            let _e1220 = (_e1219 / _e434);
+                                                                            let _e1232 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
+                                                                            let _e1235 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
+                                                                            let _e1237 = select(_e1235, _e1232, (_e1232 > _e1235));
+                                                                            let _e1240 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
+                                                                            let _e1242 = select(_e1240, _e1237, (_e1237 > _e1240));
+                                                                            let _e1248 = bitcast<f32>((bitcast<u32>(_e1156) & 2147483647u));
+                                                                            let _e1251 = bitcast<f32>((bitcast<u32>(_e1161) & 2147483647u));
+                                                                            let _e1253 = select(_e1251, _e1248, (_e1248 > _e1251));
+                                                                            let _e1256 = bitcast<f32>((bitcast<u32>(_e1164) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1156 * _e1217) + (_e1161 * _e1218)) + (_e1164 * _e1219)) - _e1185)) & 2147483647u)) <= ((0.0000009536743f * select(_e1122, _e1242, (_e1242 > _e1122))) * select(_e1256, _e1253, (_e1253 > _e1256)))) {
+                                                                                let _e1266 = bitcast<f32>((bitcast<u32>(_e1147.x) & 2147483647u));
+                                                                                let _e1269 = bitcast<f32>((bitcast<u32>(_e1147.y) & 2147483647u));
+                                                                                let _e1271 = select(_e1269, _e1266, (_e1266 > _e1269));
+                                                                                let _e1274 = bitcast<f32>((bitcast<u32>(_e1147.z) & 2147483647u));
+                                                                                let _e1280 = bitcast<f32>((bitcast<u32>(_e1145.x) & 2147483647u));
+                                                                                let _e1283 = bitcast<f32>((bitcast<u32>(_e1145.y) & 2147483647u));
+                                                                                let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
+                                                                                let _e1288 = bitcast<f32>((bitcast<u32>(_e1145.z) & 2147483647u));
+                                                                                let _e1292 = (bitcast<f32>((bitcast<u32>(_e1190) & 2147483647u)) > ((0.0000038146973f * select(_e1274, _e1271, (_e1271 > _e1274))) * select(_e1288, _e1285, (_e1285 > _e1288))));
+                                                                                if _e1292 {
+                                                                                    phi_1944_ = (_e1185 / _e1190);
                                                                                 } else {
-                                                                                    phi_1640_ = f32();
+                                                                                    phi_1944_ = f32();
                                                                                 }
-                                                                                let _e1132 = phi_1640_;
-                                                                                phi_1642_ = _e1132;
-                                                                                phi_1643_ = select(true, false, _e1129);
+                                                                                let _e1295 = phi_1944_;
+                                                                                phi_1946_ = _e1295;
+                                                                                phi_1947_ = select(true, false, _e1292);
                                                                             } else {
-                                                                                phi_1642_ = f32();
-                                                                                phi_1643_ = true;
+                                                                                phi_1946_ = f32();
+                                                                                phi_1947_ = true;
                                                                             }
-                                                                            let _e1135 = phi_1642_;
-                                                                            let _e1137 = phi_1643_;
-                                                                            if _e1137 {
-                                                                                let _e1145 = (((_e993 * (_e1054 - (_e264 * _e1057))) + (_e998 * (_e1055 - (_e300 * _e1057)))) / _e1027);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1145) & 2147483647u)) <= _e959) {
-                                                                                    phi_1663_ = (_e1057 + _e1145);
+                                                                            let _e1298 = phi_1946_;
+                                                                            let _e1300 = phi_1947_;
+                                                                            if _e1300 {
+                                                                                let _e1308 = (((_e1156 * (_e1217 - (_e302 * _e1220))) + (_e1161 * (_e1218 - (_e368 * _e1220)))) / _e1190);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1308) & 2147483647u)) <= _e1122) {
+                                                                                    phi_1967_ = (_e1220 + _e1308);
                                                                                 } else {
-                                                                                    phi_1663_ = _e1057;
+                                                                                    phi_1967_ = _e1220;
                                                                                 }
-                                                                                let _e1152 = phi_1663_;
-                                                                                phi_1664_ = _e1152;
+                                                                                let _e1315 = phi_1967_;
+                                                                                phi_1968_ = _e1315;
                                                                             } else {
-                                                                                phi_1664_ = _e1135;
+                                                                                phi_1968_ = _e1298;
                                                                             }
-                                                                            let _e1154 = phi_1664_;
-                                                                            let _e1156 = select(_e892, _e1154, (_e1154 < _e892));
-                                                                            let _e1158 = select(_e884, _e1156, (_e1156 > _e884));
-                                                                            if (_e1158 >= _e385) {
-                                                                                let _e1160 = (_e1158 <= _e633.member.member_1);
-                                                                                if _e1160 {
-                                                                                    let _e1161 = (1f / _e811);
-                                                                                    phi_1687_ = type_22(_e1158, (_e805 * _e1161), (_e809 * _e1161), _e668);
+                                                                            let _e1317 = phi_1968_;
+                                                                            let _e1319 = select(_e1055, _e1317, (_e1317 < _e1055));
+                                                                            let _e1321 = select(_e1047, _e1319, (_e1319 > _e1047));
+                                                                            if (_e1321 >= _e548) {
+                                                                                let _e1323 = (_e1321 <= _e796.member.member_1);
+                                                                                if _e1323 {
+                                                                                    let _e1324 = (1f / _e974);
+                                                                                    phi_1991_ = type_22(_e1321, (_e968 * _e1324), (_e972 * _e1324), _e831);
                                                                                 } else {
-                                                                                    phi_1687_ = type_22();
+                                                                                    phi_1991_ = type_22();
                                                                                 }
-                                                                                let _e1166 = phi_1687_;
-                                                                                phi_1689_ = _e1166;
-                                                                                phi_1690_ = select(true, false, _e1160);
+                                                                                let _e1329 = phi_1991_;
+                                                                                phi_1993_ = _e1329;
+                                                                                phi_1994_ = select(true, false, _e1323);
                                                                             } else {
-                                                                                phi_1689_ = type_22();
-                                                                                phi_1690_ = true;
+                                                                                phi_1993_ = type_22();
+                                                                                phi_1994_ = true;
                                                                             }
-                                                                            let _e1169 = phi_1689_;
-                                                                            let _e1171 = phi_1690_;
-                                                                            if _e1171 {
-                                                                                phi_1694_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e1332 = phi_1993_;
+                                                                            let _e1334 = phi_1994_;
+                                                                            if _e1334 {
+                                                                                phi_1998_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_1694_ = _e1169;
+                                                                                phi_1998_ = _e1332;
                                                                             }
-                                                                            let _e1173 = phi_1694_;
-                                                                            phi_1695_ = _e1173;
+                                                                            let _e1336 = phi_1998_;
+                                                                            phi_1999_ = _e1336;
                                                                         }
-                                                                        let _e1175 = phi_1695_;
-                                                                        phi_1696_ = _e1175;
-                                                                        phi_1697_ = _e901;
+                                                                        let _e1338 = phi_1999_;
+                                                                        phi_2000_ = _e1338;
+                                                                        phi_2001_ = _e1064;
                                                                     }
-                                                                    let _e1177 = phi_1696_;
-                                                                    let _e1179 = phi_1697_;
-                                                                    phi_1701_ = _e1177;
-                                                                    phi_1702_ = _e1179;
+                                                                    let _e1340 = phi_2000_;
+                                                                    let _e1342 = phi_2001_;
+                                                                    phi_2005_ = _e1340;
+                                                                    phi_2006_ = _e1342;
                                                                 }
-                                                                let _e1181 = phi_1701_;
-                                                                let _e1183 = phi_1702_;
-                                                                phi_1703_ = _e1181;
-                                                                phi_1704_ = _e836;
-                                                                phi_1705_ = _e1183;
+                                                                let _e1344 = phi_2005_;
+                                                                let _e1346 = phi_2006_;
+                                                                phi_2007_ = _e1344;
+                                                                phi_2008_ = _e999;
+                                                                phi_2009_ = _e1346;
                                                             }
-                                                            let _e1185 = phi_1703_;
-                                                            let _e1187 = phi_1704_;
-                                                            let _e1189 = phi_1705_;
-                                                            phi_1706_ = _e1185;
-                                                            phi_1707_ = _e1187;
-                                                            phi_1708_ = _e1189;
+                                                            let _e1348 = phi_2007_;
+                                                            let _e1350 = phi_2008_;
+                                                            let _e1352 = phi_2009_;
+                                                            phi_2010_ = _e1348;
+                                                            phi_2011_ = _e1350;
+                                                            phi_2012_ = _e1352;
                                                         }
-                                                        let _e1191 = phi_1706_;
-                                                        let _e1193 = phi_1707_;
-                                                        let _e1195 = phi_1708_;
-                                                        phi_1716_ = _e1191;
-                                                        phi_1717_ = select(_e1195, true, _e1193);
+                                                        let _e1354 = phi_2010_;
+                                                        let _e1356 = phi_2011_;
+                                                        let _e1358 = phi_2012_;
+                                                        phi_2020_ = _e1354;
+                                                        phi_2021_ = select(_e1358, true, _e1356);
                                                     } else {
-                                                        phi_1716_ = type_22();
-                                                        phi_1717_ = true;
+                                                        phi_2020_ = type_22();
+                                                        phi_2021_ = true;
                                                     }
-                                                    let _e1198 = phi_1716_;
-                                                    let _e1200 = phi_1717_;
-                                                    if _e1200 {
-                                                        phi_1721_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1361 = phi_2020_;
+                                                    let _e1363 = phi_2021_;
+                                                    if _e1363 {
+                                                        phi_2025_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1721_ = _e1198;
+                                                        phi_2025_ = _e1361;
                                                     }
-                                                    let _e1202 = phi_1721_;
-                                                    if (_e1202.member_3 != 4294967295u) {
-                                                        if (_e668 != _e391) {
-                                                            if (_e1202.member < _e633.member.member.member) {
-                                                                phi_1747_ = true;
+                                                    let _e1365 = phi_2025_;
+                                                    if (_e1365.member_3 != 4294967295u) {
+                                                        if (_e831 != _e554) {
+                                                            if (_e1365.member < _e796.member.member.member) {
+                                                                phi_2051_ = true;
                                                             } else {
-                                                                if (_e1202.member == _e633.member.member.member) {
-                                                                    phi_1746_ = (_e1202.member_3 < _e633.member.member.member_3);
+                                                                if (_e1365.member == _e796.member.member.member) {
+                                                                    phi_2050_ = (_e1365.member_3 < _e796.member.member.member_3);
                                                                 } else {
-                                                                    phi_1746_ = false;
+                                                                    phi_2050_ = false;
                                                                 }
-                                                                let _e1217 = phi_1746_;
-                                                                phi_1747_ = _e1217;
+                                                                let _e1380 = phi_2050_;
+                                                                phi_2051_ = _e1380;
                                                             }
-                                                            let _e1219 = phi_1747_;
-                                                            if _e1219 {
-                                                                phi_1754_ = type_48(type_42(_e1202, _e1202.member), _e660.member_1, _e660.member_2);
+                                                            let _e1382 = phi_2051_;
+                                                            if _e1382 {
+                                                                phi_2058_ = type_48(type_42(_e1365, _e1365.member), _e823.member_1, _e823.member_2);
                                                             } else {
-                                                                phi_1754_ = _e660;
+                                                                phi_2058_ = _e823;
                                                             }
-                                                            let _e1226 = phi_1754_;
-                                                            phi_1755_ = _e1226;
+                                                            let _e1389 = phi_2058_;
+                                                            phi_2059_ = _e1389;
                                                         } else {
-                                                            phi_1755_ = _e660;
+                                                            phi_2059_ = _e823;
                                                         }
-                                                        let _e1228 = phi_1755_;
-                                                        phi_1756_ = _e1228;
+                                                        let _e1391 = phi_2059_;
+                                                        phi_2060_ = _e1391;
                                                     } else {
-                                                        phi_1756_ = _e660;
+                                                        phi_2060_ = _e823;
                                                     }
-                                                    let _e1230 = phi_1756_;
-                                                    phi_743_ = _e1230;
+                                                    let _e1393 = phi_2060_;
+                                                    phi_1047_ = _e1393;
                                                 } else {
-                                                    phi_743_ = type_48();
+                                                    phi_1047_ = type_48();
                                                 }
-                                                let _e1232 = phi_743_;
+                                                let _e1395 = phi_1047_;
                                                 continue;
                                                 continuing {
-                                                    phi_742_ = _e1232;
-                                                    phi_745_ = _e648;
-                                                    phi_2414_ = _e398;
-                                                    break if !(_e654);
+                                                    phi_1046_ = _e1395;
+                                                    phi_1049_ = _e811;
+                                                    phi_2816_ = _e561;
+                                                    break if !(_e817);
                                                 }
                                             }
-                                            let _e1235 = phi_2414_;
-                                            phi_2556_ = _e1235;
-                                            if _e1235 {
+                                            let _e1398 = phi_2816_;
+                                            phi_2976_ = _e1398;
+                                            if _e1398 {
                                                 break;
                                             }
-                                            phi_2560_ = _e1235;
-                                            let _e1464 = local_4;
-                                            phi_2214_ = _e1464;
-                                            phi_2215_ = _e424;
-                                            phi_2216_ = false;
-                                            phi_2217_ = _e428;
+                                            phi_2980_ = _e1398;
+                                            let _e1726 = local_4;
+                                            phi_2518_ = _e1726;
+                                            phi_2519_ = _e587;
+                                            phi_2520_ = false;
+                                            phi_2521_ = _e591;
                                         } else {
-                                            if (_e424 >= _e69) {
-                                                phi_1819_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e587 >= _e77) {
+                                                phi_2123_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e424 < _e69) {
+                                                if (_e587 < _e77) {
                                                 } else {
-                                                    phi_2556_ = true;
+                                                    phi_2976_ = true;
                                                     break;
                                                 }
-                                                let _e444 = (_e207 % 3u);
-                                                if (_e444 < 3u) {
+                                                let _e607 = (_e215 % 3u);
+                                                if (_e607 < 3u) {
                                                 } else {
-                                                    phi_2556_ = true;
+                                                    phi_2976_ = true;
                                                     break;
                                                 }
-                                                let _e450 = global_2.member[_e424].member[_e444];
-                                                let _e456 = (_e206 % 3u);
-                                                if (_e456 < 3u) {
+                                                let _e613 = global_2.member[_e587].member[_e607];
+                                                let _e619 = (_e214 % 3u);
+                                                if (_e619 < 3u) {
                                                 } else {
-                                                    phi_2556_ = true;
+                                                    phi_2976_ = true;
                                                     break;
                                                 }
-                                                let _e462 = global_2.member[_e424].member[_e456];
-                                                let _e468 = (_e208 % 3u);
-                                                if (_e468 < 3u) {
+                                                let _e625 = global_2.member[_e587].member[_e619];
+                                                let _e631 = (_e216 % 3u);
+                                                if (_e631 < 3u) {
                                                 } else {
-                                                    phi_2556_ = true;
+                                                    phi_2976_ = true;
                                                     break;
                                                 }
-                                                let _e474 = global_2.member[_e424].member[_e468];
-                                                let _e484 = global_2.member[_e424].member_1;
-                                                let _e488 = global_2.member[_e424].member_2;
-                                                phi_1819_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3]), vec4<f32>(_e462[0], _e462[1], _e462[2], _e462[3]), vec4<f32>(_e474[0], _e474[1], _e474[2], _e474[3])), _e484, _e488);
+                                                let _e637 = global_2.member[_e587].member[_e631];
+                                                let _e647 = global_2.member[_e587].member_1;
+                                                let _e651 = global_2.member[_e587].member_2;
+                                                phi_2123_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e613[0], _e613[1], _e613[2], _e613[3]), vec4<f32>(_e625[0], _e625[1], _e625[2], _e625[3]), vec4<f32>(_e637[0], _e637[1], _e637[2], _e637[3])), _e647, _e651);
                                             }
-                                            let _e491 = phi_1819_;
-                                            let _e504 = ((_e491.member[0].x - _e262) * _e267);
-                                            let _e505 = ((_e491.member[0].y - _e262) * _e267);
-                                            let _e506 = ((_e491.member[0].z - _e263) * _e267);
-                                            let _e507 = ((_e491.member[0].w - _e263) * _e267);
-                                            let _e517 = ((_e491.member[1].x - _e298) * _e303);
-                                            let _e518 = ((_e491.member[1].y - _e298) * _e303);
-                                            let _e519 = ((_e491.member[1].z - _e299) * _e303);
-                                            let _e520 = ((_e491.member[1].w - _e299) * _e303);
-                                            let _e530 = ((_e491.member[2].x - _e334) * _e339);
-                                            let _e531 = ((_e491.member[2].y - _e334) * _e339);
-                                            let _e532 = ((_e491.member[2].z - _e335) * _e339);
-                                            let _e533 = ((_e491.member[2].w - _e335) * _e339);
-                                            let _e535 = select(_e532, _e530, (_e530 < _e532));
-                                            let _e537 = select(_e533, _e531, (_e531 < _e533));
-                                            let _e539 = select(_e532, _e530, (_e530 > _e532));
-                                            let _e541 = select(_e533, _e531, (_e531 > _e533));
-                                            let _e543 = select(_e506, _e504, (_e504 < _e506));
-                                            let _e545 = select(_e507, _e505, (_e505 < _e507));
-                                            let _e547 = select(_e519, _e517, (_e517 < _e519));
-                                            let _e549 = select(_e520, _e518, (_e518 < _e520));
-                                            let _e551 = select(_e547, _e543, (_e543 > _e547));
-                                            let _e553 = select(_e549, _e545, (_e545 > _e549));
-                                            let _e555 = select(_e535, _e551, (_e551 > _e535));
-                                            let _e557 = select(_e537, _e553, (_e553 > _e537));
-                                            let _e559 = select(_e506, _e504, (_e504 > _e506));
-                                            let _e561 = select(_e507, _e505, (_e505 > _e507));
-                                            let _e563 = select(_e519, _e517, (_e517 > _e519));
-                                            let _e565 = select(_e520, _e518, (_e518 > _e520));
-                                            let _e567 = select(_e563, _e559, (_e559 < _e563));
-                                            let _e569 = select(_e565, _e561, (_e561 < _e565));
-                                            let _e574 = -(_e535);
-                                            let _e575 = -(_e537);
-                                            let _e582 = (select(_e539, _e567, (_e567 < _e539)) + (select(_e574, _e539, (_e539 > _e574)) * 0.0000019073523f));
-                                            let _e583 = (select(_e541, _e569, (_e569 < _e541)) + (select(_e575, _e541, (_e541 > _e575)) * 0.0000019073523f));
-                                            let _e585 = select(_e385, _e555, (_e555 > _e385));
-                                            let _e587 = select(_e385, _e557, (_e557 > _e385));
-                                            let _e592 = (_e585 <= select(_e400.member.member_1, _e582, (_e582 < _e400.member.member_1)));
-                                            let _e593 = (_e587 <= select(_e400.member.member_1, _e583, (_e583 < _e400.member.member_1)));
-                                            let _e594 = (_e585 <= _e587);
-                                            if _e592 {
-                                                if _e593 {
-                                                    if _e594 {
-                                                        phi_2163_ = _e491.member_2;
+                                            let _e654 = phi_2123_;
+                                            let _e667 = ((_e654.member[0].x - _e300) * _e305);
+                                            let _e668 = ((_e654.member[0].y - _e300) * _e305);
+                                            let _e669 = ((_e654.member[0].z - _e301) * _e305);
+                                            let _e670 = ((_e654.member[0].w - _e301) * _e305);
+                                            let _e680 = ((_e654.member[1].x - _e366) * _e371);
+                                            let _e681 = ((_e654.member[1].y - _e366) * _e371);
+                                            let _e682 = ((_e654.member[1].z - _e367) * _e371);
+                                            let _e683 = ((_e654.member[1].w - _e367) * _e371);
+                                            let _e693 = ((_e654.member[2].x - _e432) * _e437);
+                                            let _e694 = ((_e654.member[2].y - _e432) * _e437);
+                                            let _e695 = ((_e654.member[2].z - _e433) * _e437);
+                                            let _e696 = ((_e654.member[2].w - _e433) * _e437);
+                                            let _e698 = select(_e695, _e693, (_e693 < _e695));
+                                            let _e700 = select(_e696, _e694, (_e694 < _e696));
+                                            let _e702 = select(_e695, _e693, (_e693 > _e695));
+                                            let _e704 = select(_e696, _e694, (_e694 > _e696));
+                                            let _e706 = select(_e669, _e667, (_e667 < _e669));
+                                            let _e708 = select(_e670, _e668, (_e668 < _e670));
+                                            let _e710 = select(_e682, _e680, (_e680 < _e682));
+                                            let _e712 = select(_e683, _e681, (_e681 < _e683));
+                                            let _e714 = select(_e710, _e706, (_e706 > _e710));
+                                            let _e716 = select(_e712, _e708, (_e708 > _e712));
+                                            let _e718 = select(_e698, _e714, (_e714 > _e698));
+                                            let _e720 = select(_e700, _e716, (_e716 > _e700));
+                                            let _e722 = select(_e669, _e667, (_e667 > _e669));
+                                            let _e724 = select(_e670, _e668, (_e668 > _e670));
+                                            let _e726 = select(_e682, _e680, (_e680 > _e682));
+                                            let _e728 = select(_e683, _e681, (_e681 > _e683));
+                                            let _e730 = select(_e726, _e722, (_e722 < _e726));
+                                            let _e732 = select(_e728, _e724, (_e724 < _e728));
+                                            let _e737 = -(_e698);
+                                            let _e738 = -(_e700);
+                                            let _e745 = (select(_e702, _e730, (_e730 < _e702)) + (select(_e737, _e702, (_e702 > _e737)) * 0.0000019073523f));
+                                            let _e746 = (select(_e704, _e732, (_e732 < _e704)) + (select(_e738, _e704, (_e704 > _e738)) * 0.0000019073523f));
+                                            let _e748 = select(_e548, _e718, (_e718 > _e548));
+                                            let _e750 = select(_e548, _e720, (_e720 > _e548));
+                                            let _e755 = (_e748 <= select(_e563.member.member_1, _e745, (_e745 < _e563.member.member_1)));
+                                            let _e756 = (_e750 <= select(_e563.member.member_1, _e746, (_e746 < _e563.member.member_1)));
+                                            let _e757 = (_e748 <= _e750);
+                                            if _e755 {
+                                                if _e756 {
+                                                    if _e757 {
+                                                        phi_2467_ = _e654.member_2;
                                                     } else {
-                                                        phi_2163_ = _e491.member_1;
+                                                        phi_2467_ = _e654.member_1;
                                                     }
-                                                    let _e598 = phi_2163_;
-                                                    let _e601 = (_e428 % 128u);
-                                                    let _e602 = (_e601 < 128u);
-                                                    if _e602 {
+                                                    let _e761 = phi_2467_;
+                                                    let _e764 = (_e591 % 128u);
+                                                    let _e765 = (_e764 < 128u);
+                                                    if _e765 {
                                                     } else {
-                                                        phi_2556_ = true;
+                                                        phi_2976_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e601] = _e598;
-                                                    if _e602 {
+                                                    local_1[_e764] = _e761;
+                                                    if _e765 {
                                                     } else {
-                                                        phi_2556_ = true;
+                                                        phi_2976_ = true;
                                                         break;
                                                     }
-                                                    local[_e601] = select(_e587, _e585, (_e585 > _e587));
-                                                    if _e594 {
-                                                        phi_2191_ = _e491.member_1;
+                                                    local[_e764] = select(_e750, _e748, (_e748 > _e750));
+                                                    if _e757 {
+                                                        phi_2495_ = _e654.member_1;
                                                     } else {
-                                                        phi_2191_ = _e491.member_2;
+                                                        phi_2495_ = _e654.member_2;
                                                     }
-                                                    let _e609 = phi_2191_;
-                                                    phi_2192_ = _e609;
-                                                    phi_2193_ = (_e428 + 1u);
+                                                    let _e772 = phi_2495_;
+                                                    phi_2496_ = _e772;
+                                                    phi_2497_ = (_e591 + 1u);
                                                 } else {
-                                                    phi_2192_ = u32();
-                                                    phi_2193_ = u32();
+                                                    phi_2496_ = u32();
+                                                    phi_2497_ = u32();
                                                 }
-                                                let _e611 = phi_2192_;
-                                                let _e613 = phi_2193_;
-                                                phi_2195_ = _e611;
-                                                phi_2196_ = _e613;
-                                                phi_2197_ = select(true, false, _e593);
+                                                let _e774 = phi_2496_;
+                                                let _e776 = phi_2497_;
+                                                phi_2499_ = _e774;
+                                                phi_2500_ = _e776;
+                                                phi_2501_ = select(true, false, _e756);
                                             } else {
-                                                phi_2195_ = u32();
-                                                phi_2196_ = u32();
-                                                phi_2197_ = true;
+                                                phi_2499_ = u32();
+                                                phi_2500_ = u32();
+                                                phi_2501_ = true;
                                             }
-                                            let _e616 = phi_2195_;
-                                            let _e618 = phi_2196_;
-                                            let _e620 = phi_2197_;
-                                            if _e620 {
-                                                if _e592 {
-                                                    phi_2206_ = _e491.member_1;
+                                            let _e779 = phi_2499_;
+                                            let _e781 = phi_2500_;
+                                            let _e783 = phi_2501_;
+                                            if _e783 {
+                                                if _e755 {
+                                                    phi_2510_ = _e654.member_1;
                                                 } else {
-                                                    phi_2206_ = _e491.member_2;
+                                                    phi_2510_ = _e654.member_2;
                                                 }
-                                                let _e624 = phi_2206_;
-                                                phi_2211_ = _e624;
-                                                phi_2212_ = select(_e593, true, _e592);
+                                                let _e787 = phi_2510_;
+                                                phi_2515_ = _e787;
+                                                phi_2516_ = select(_e756, true, _e755);
                                             } else {
-                                                phi_2211_ = _e616;
-                                                phi_2212_ = _e426;
+                                                phi_2515_ = _e779;
+                                                phi_2516_ = _e589;
                                             }
-                                            let _e627 = phi_2211_;
-                                            let _e629 = phi_2212_;
-                                            phi_2560_ = _e398;
-                                            phi_2214_ = type_48(_e400.member, (_e400.member_1 + 1u), _e400.member_2);
-                                            phi_2215_ = _e627;
-                                            phi_2216_ = _e629;
-                                            phi_2217_ = select(_e618, _e428, _e620);
+                                            let _e790 = phi_2515_;
+                                            let _e792 = phi_2516_;
+                                            phi_2980_ = _e561;
+                                            phi_2518_ = type_48(_e563.member, (_e563.member_1 + 1u), _e563.member_2);
+                                            phi_2519_ = _e790;
+                                            phi_2520_ = _e792;
+                                            phi_2521_ = select(_e781, _e591, _e783);
                                         }
-                                        let _e1237 = phi_2560_;
-                                        let _e1239 = phi_2214_;
-                                        let _e1241 = phi_2215_;
-                                        let _e1243 = phi_2216_;
-                                        let _e1245 = phi_2217_;
-                                        phi_2559_ = _e1237;
-                                        phi_2218_ = _e1239;
-                                        phi_2219_ = _e1241;
-                                        phi_2220_ = (_e404 - 1u);
-                                        phi_2221_ = _e1243;
-                                        phi_2222_ = _e1245;
+                                        let _e1400 = phi_2980_;
+                                        let _e1402 = phi_2518_;
+                                        let _e1404 = phi_2519_;
+                                        let _e1406 = phi_2520_;
+                                        let _e1408 = phi_2521_;
+                                        phi_2979_ = _e1400;
+                                        phi_2522_ = _e1402;
+                                        phi_2523_ = _e1404;
+                                        phi_2524_ = (_e567 - 1u);
+                                        phi_2525_ = _e1406;
+                                        phi_2526_ = _e1408;
                                     } else {
-                                        phi_2559_ = _e398;
-                                        phi_2218_ = _e400;
-                                        phi_2219_ = _e424;
-                                        phi_2220_ = _e404;
-                                        phi_2221_ = _e426;
-                                        phi_2222_ = _e428;
+                                        phi_2979_ = _e561;
+                                        phi_2522_ = _e563;
+                                        phi_2523_ = _e587;
+                                        phi_2524_ = _e567;
+                                        phi_2525_ = _e589;
+                                        phi_2526_ = _e591;
                                     }
-                                    let _e1247 = phi_2559_;
-                                    let _e1249 = phi_2218_;
-                                    let _e1251 = phi_2219_;
-                                    let _e1253 = phi_2220_;
-                                    let _e1255 = phi_2221_;
-                                    let _e1257 = phi_2222_;
-                                    phi_2558_ = _e1247;
-                                    phi_2223_ = _e1249;
-                                    phi_2224_ = _e1251;
-                                    phi_2225_ = _e1253;
-                                    phi_2226_ = _e1255;
-                                    phi_2227_ = _e1257;
+                                    let _e1410 = phi_2979_;
+                                    let _e1412 = phi_2522_;
+                                    let _e1414 = phi_2523_;
+                                    let _e1416 = phi_2524_;
+                                    let _e1418 = phi_2525_;
+                                    let _e1420 = phi_2526_;
+                                    phi_2978_ = _e1410;
+                                    phi_2527_ = _e1412;
+                                    phi_2528_ = _e1414;
+                                    phi_2529_ = _e1416;
+                                    phi_2530_ = _e1418;
+                                    phi_2531_ = _e1420;
                                 } else {
-                                    phi_2558_ = _e398;
-                                    phi_2223_ = type_48();
-                                    phi_2224_ = u32();
-                                    phi_2225_ = u32();
-                                    phi_2226_ = bool();
-                                    phi_2227_ = u32();
+                                    phi_2978_ = _e561;
+                                    phi_2527_ = type_48();
+                                    phi_2528_ = u32();
+                                    phi_2529_ = u32();
+                                    phi_2530_ = bool();
+                                    phi_2531_ = u32();
                                 }
-                                let _e1259 = phi_2558_;
-                                let _e1261 = phi_2223_;
-                                let _e1263 = phi_2224_;
-                                let _e1265 = phi_2225_;
-                                let _e1267 = phi_2226_;
-                                let _e1269 = phi_2227_;
-                                phi_2557_ = _e1259;
-                                phi_674_ = _e1261;
-                                phi_677_ = _e1263;
-                                phi_679_ = _e1265;
-                                phi_681_ = _e1267;
-                                phi_683_ = _e1269;
-                                phi_2228_ = _e412;
+                                let _e1422 = phi_2978_;
+                                let _e1424 = phi_2527_;
+                                let _e1426 = phi_2528_;
+                                let _e1428 = phi_2529_;
+                                let _e1430 = phi_2530_;
+                                let _e1432 = phi_2531_;
+                                phi_2977_ = _e1422;
+                                phi_978_ = _e1424;
+                                phi_981_ = _e1426;
+                                phi_983_ = _e1428;
+                                phi_985_ = _e1430;
+                                phi_987_ = _e1432;
+                                phi_2532_ = _e575;
                             } else {
-                                phi_2557_ = _e398;
-                                phi_674_ = type_48();
-                                phi_677_ = u32();
-                                phi_679_ = u32();
-                                phi_681_ = bool();
-                                phi_683_ = u32();
-                                phi_2228_ = false;
+                                phi_2977_ = _e561;
+                                phi_978_ = type_48();
+                                phi_981_ = u32();
+                                phi_983_ = u32();
+                                phi_985_ = bool();
+                                phi_987_ = u32();
+                                phi_2532_ = false;
                             }
-                            let _e1271 = phi_2557_;
-                            let _e1273 = phi_674_;
-                            let _e1275 = phi_677_;
-                            let _e1277 = phi_679_;
-                            let _e1279 = phi_681_;
-                            let _e1281 = phi_683_;
-                            let _e1283 = phi_2228_;
+                            let _e1434 = phi_2977_;
+                            let _e1436 = phi_978_;
+                            let _e1438 = phi_981_;
+                            let _e1440 = phi_983_;
+                            let _e1442 = phi_985_;
+                            let _e1444 = phi_987_;
+                            let _e1446 = phi_2532_;
                             continue;
                             continuing {
-                                phi_2420_ = _e1271;
-                                phi_673_ = _e1273;
-                                phi_676_ = _e1275;
-                                phi_678_ = _e1277;
-                                phi_680_ = _e1279;
-                                phi_682_ = _e1281;
-                                phi_2556_ = _e1271;
-                                break if !(_e1283);
+                                phi_2822_ = _e1434;
+                                phi_977_ = _e1436;
+                                phi_980_ = _e1438;
+                                phi_982_ = _e1440;
+                                phi_984_ = _e1442;
+                                phi_986_ = _e1444;
+                                phi_2976_ = _e1434;
+                                break if !(_e1446);
                             }
                         }
-                        let _e1286 = phi_2556_;
-                        if _e1286 {
+                        let _e1449 = phi_2976_;
+                        if _e1449 {
                             break;
                         }
-                        let _e1288 = local_2;
-                        if (_e1288.member.member.member_3 != 4294967295u) {
-                            let _e1294 = (_e209 / 3i);
-                            let _e1301 = bitcast<f32>((bitcast<u32>((_e1294 + 127i)) << bitcast<u32>(23i)));
-                            let _e1309 = (((_e1288.member.member.member * _e1301) * _e1301) * bitcast<f32>((bitcast<u32>(((_e209 - (2i * _e1294)) + 127i)) << bitcast<u32>(23i))));
-                            let _e1311 = select(340282350000000000000000000000000000000f, _e1309, (_e1309 < 340282350000000000000000000000000000000f));
-                            phi_2280_ = type_22(select(-340282350000000000000000000000000000000f, _e1311, (_e1311 > -340282350000000000000000000000000000000f)), _e1288.member.member.member_1, _e1288.member.member.member_2, _e1288.member.member.member_3);
+                        let _e1451 = local_2;
+                        if (_e1451.member.member.member_3 != 4294967295u) {
+                            let _e1457 = bitcast<u32>(_e1451.member.member.member);
+                            let _e1461 = (bitcast<i32>((_e1457 >> bitcast<u32>(23i))) & 255i);
+                            let _e1462 = (_e1461 + _e217);
+                            if (_e1461 == 255i) {
+                                phi_2591_ = _e1451.member.member.member;
+                            } else {
+                                if (_e1461 > 0i) {
+                                    if (_e1462 > 0i) {
+                                        let _e1466 = (_e1462 < 255i);
+                                        if _e1466 {
+                                            phi_2570_ = bitcast<f32>((_e1457 + bitcast<u32>((_e217 << bitcast<u32>(23i)))));
+                                        } else {
+                                            phi_2570_ = f32();
+                                        }
+                                        let _e1473 = phi_2570_;
+                                        phi_2572_ = _e1473;
+                                        phi_2573_ = select(true, false, _e1466);
+                                    } else {
+                                        phi_2572_ = f32();
+                                        phi_2573_ = true;
+                                    }
+                                    let _e1476 = phi_2572_;
+                                    let _e1478 = phi_2573_;
+                                    phi_2574_ = _e1476;
+                                    phi_2575_ = _e1478;
+                                } else {
+                                    phi_2574_ = f32();
+                                    phi_2575_ = true;
+                                }
+                                let _e1480 = phi_2574_;
+                                let _e1482 = phi_2575_;
+                                if _e1482 {
+                                    let _e1483 = (_e1457 & 2147483648u);
+                                    let _e1490 = ((_e1457 & 8388607u) | (select(0u, 1u, ((_e1457 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1494 = (_e1490 == 0u);
+                                    if _e1494 {
+                                        phi_2811_ = bitcast<f32>(_e1483);
+                                    } else {
+                                        let _e1499 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1490)), 32u, _e1494) - 8u);
+                                        let _e1502 = (_e1490 << bitcast<u32>((_e1499 & 31u)));
+                                        let _e1504 = ((_e1462 + select(0i, 1i, (_e1461 == 0i))) - bitcast<i32>(_e1499));
+                                        if (_e1504 >= 255i) {
+                                            phi_2801_ = bitcast<f32>((_e1483 | 2139095040u));
+                                            phi_2802_ = f32();
+                                            phi_2803_ = true;
+                                        } else {
+                                            let _e1506 = (_e1504 > 0i);
+                                            if _e1506 {
+                                                phi_2795_ = bitcast<f32>(((_e1483 | (bitcast<u32>(_e1504) << bitcast<u32>(23i))) | (_e1502 & 8388607u)));
+                                                phi_2796_ = f32();
+                                            } else {
+                                                if (_e1504 < -24i) {
+                                                    phi_2761_ = 26u;
+                                                } else {
+                                                    phi_2761_ = bitcast<u32>((1i - _e1504));
+                                                }
+                                                let _e1511 = phi_2761_;
+                                                let _e1512 = (_e1511 & 31u);
+                                                let _e1514 = (_e1502 >> bitcast<u32>(_e1512));
+                                                let _e1518 = (_e1502 & ((1u << bitcast<u32>(_e1512)) - 1u));
+                                                let _e1522 = (1u << bitcast<u32>(((_e1511 - 1u) & 31u)));
+                                                if (_e1518 > _e1522) {
+                                                    phi_2782_ = true;
+                                                } else {
+                                                    if (_e1518 == _e1522) {
+                                                        phi_2779_ = ((_e1514 & 1u) == 1u);
+                                                    } else {
+                                                        phi_2779_ = false;
+                                                    }
+                                                    let _e1528 = phi_2779_;
+                                                    phi_2782_ = _e1528;
+                                                }
+                                                let _e1530 = phi_2782_;
+                                                phi_2795_ = f32();
+                                                phi_2796_ = bitcast<f32>((_e1483 | (_e1514 + select(0u, 1u, _e1530))));
+                                            }
+                                            let _e1543 = phi_2795_;
+                                            let _e1545 = phi_2796_;
+                                            phi_2801_ = _e1543;
+                                            phi_2802_ = _e1545;
+                                            phi_2803_ = _e1506;
+                                        }
+                                        let _e1549 = phi_2801_;
+                                        let _e1551 = phi_2802_;
+                                        let _e1553 = phi_2803_;
+                                        phi_2811_ = select(_e1551, _e1549, _e1553);
+                                    }
+                                    let _e1557 = phi_2811_;
+                                    phi_2590_ = _e1557;
+                                } else {
+                                    phi_2590_ = _e1480;
+                                }
+                                let _e1559 = phi_2590_;
+                                phi_2591_ = _e1559;
+                            }
+                            let _e1561 = phi_2591_;
+                            let _e1562 = bitcast<u32>(_e1561);
+                            if ((_e1562 & 2147483647u) >= 2139095040u) {
+                                phi_2603_ = bitcast<f32>(((_e1562 & 2147483648u) | 2139095039u));
+                            } else {
+                                phi_2603_ = _e1561;
+                            }
+                            let _e1569 = phi_2603_;
+                            phi_2608_ = type_22(_e1569, _e1451.member.member.member_1, _e1451.member.member.member_2, _e1451.member.member.member_3);
                         } else {
-                            phi_2280_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_2608_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1318 = phi_2280_;
-                        if _e85 {
+                        let _e1574 = phi_2608_;
+                        if _e93 {
                         } else {
                             break;
                         }
-                        global_4.member[_e83] = _e1318;
-                        let _e1322 = local_3;
-                        if _e86 {
+                        global_4.member[_e91] = _e1574;
+                        let _e1578 = local_3;
+                        if _e94 {
                         } else {
                             break;
                         }
-                        global_5.member[_e83] = _e1322.member_1;
-                        if _e84 {
+                        global_5.member[_e91] = _e1578.member_1;
+                        if _e92 {
                         } else {
                             break;
                         }
-                        let _e1327 = select(0u, 1u, (_e153 <= _e163));
-                        if (_e1327 > 0u) {
-                            let _e1329 = (1u < _e79);
-                            if _e1329 {
-                                if (0u < _e79) {
+                        let _e1583 = select(0u, 1u, (_e161 <= _e171));
+                        if (_e1583 > 0u) {
+                            let _e1585 = (1u < _e87);
+                            if _e1585 {
+                                if (0u < _e87) {
                                 } else {
                                     break;
                                 }
-                                let _e1333 = atomicAdd((&global_6.member[0u]), _e1327);
-                                if ((_e1333 + _e1327) < _e1333) {
-                                    if _e1329 {
+                                let _e1589 = atomicAdd((&global_6.member[0u]), _e1583);
+                                if ((_e1589 + _e1583) < _e1589) {
+                                    if _e1585 {
                                     } else {
                                         break;
                                     }
-                                    let _e1338 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e1594 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1341 = select(0u, 1u, (_e1318.member_3 != 4294967295u));
-                        if (_e1341 > 0u) {
-                            let _e1343 = (3u < _e79);
-                            if _e1343 {
-                                if (2u < _e79) {
+                        let _e1597 = select(0u, 1u, (_e1574.member_3 != 4294967295u));
+                        if (_e1597 > 0u) {
+                            let _e1599 = (3u < _e87);
+                            if _e1599 {
+                                if (2u < _e87) {
                                 } else {
                                     break;
                                 }
-                                let _e1347 = atomicAdd((&global_6.member[2u]), _e1341);
-                                if ((_e1347 + _e1341) < _e1347) {
-                                    if _e1343 {
+                                let _e1603 = atomicAdd((&global_6.member[2u]), _e1597);
+                                if ((_e1603 + _e1597) < _e1603) {
+                                    if _e1599 {
                                     } else {
                                         break;
                                     }
-                                    let _e1352 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e1608 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1322.member_1 > 0u) {
-                            let _e1354 = (5u < _e79);
-                            if _e1354 {
-                                if (4u < _e79) {
+                        if (_e1578.member_1 > 0u) {
+                            let _e1610 = (5u < _e87);
+                            if _e1610 {
+                                if (4u < _e87) {
                                 } else {
                                     break;
                                 }
-                                let _e1358 = atomicAdd((&global_6.member[4u]), _e1322.member_1);
-                                if ((_e1358 + _e1322.member_1) < _e1358) {
-                                    if _e1354 {
+                                let _e1614 = atomicAdd((&global_6.member[4u]), _e1578.member_1);
+                                if ((_e1614 + _e1578.member_1) < _e1614) {
+                                    if _e1610 {
                                     } else {
                                         break;
                                     }
-                                    let _e1363 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e1619 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

@@ -113,388 +113,468 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_342_: i32;
-    var phi_343_: i32;
-    var phi_353_: bool;
-    var phi_363_: u32;
-    var phi_364_: u32;
-    var phi_366_: bool;
-    var phi_371_: u32;
-    var phi_403_: i32;
-    var phi_421_: f32;
-    var phi_427_: f32;
-    var phi_438_: f32;
-    var phi_444_: f32;
-    var phi_467_: f32;
-    var phi_478_: f32;
-    var phi_487_: f32;
-    var phi_493_: f32;
+    var phi_425_: i32;
+    var phi_426_: i32;
+    var phi_436_: bool;
+    var phi_446_: u32;
+    var phi_447_: u32;
+    var phi_449_: bool;
+    var phi_454_: u32;
+    var phi_486_: i32;
     var phi_504_: f32;
     var phi_510_: f32;
-    var phi_533_: f32;
-    var phi_544_: f32;
-    var phi_553_: f32;
-    var phi_559_: f32;
-    var phi_570_: f32;
-    var phi_576_: f32;
-    var phi_599_: f32;
-    var phi_610_: f32;
-    var phi_710_: f32;
-    var phi_711_: f32;
-    var phi_3116_: bool;
-    var phi_793_: type_41;
-    var phi_796_: type_52;
-    var phi_798_: u32;
-    var phi_800_: bool;
-    var phi_802_: u32;
-    var phi_813_: bool;
-    var phi_899_: type_52;
-    var phi_900_: bool;
-    var phi_901_: u32;
-    var phi_1955_: type_45;
-    var phi_2787_: type_52;
-    var phi_2864_: type_52;
-    var phi_2865_: type_52;
-    var phi_2866_: u32;
-    var phi_2868_: type_52;
-    var phi_2869_: u32;
-    var phi_2870_: bool;
-    var phi_2877_: type_52;
-    var phi_2882_: type_52;
-    var phi_2883_: bool;
-    var phi_919_: type_41;
-    var phi_922_: type_7;
-    var phi_923_: type_7;
-    var phi_945_: type_7;
-    var phi_969_: u32;
-    var phi_1058_: array<array<f32, 3>, 3>;
-    var phi_1175_: bool;
-    var phi_1204_: bool;
-    var phi_1605_: f32;
-    var phi_1606_: f32;
-    var phi_1607_: f32;
-    var phi_1608_: f32;
-    var phi_1609_: vec3<f32>;
-    var phi_1610_: vec3<f32>;
-    var phi_1611_: vec3<f32>;
-    var phi_1612_: vec3<f32>;
-    var phi_1643_: bool;
-    var phi_1652_: vec3<f32>;
-    var phi_1817_: f32;
-    var phi_1819_: f32;
-    var phi_1820_: bool;
-    var phi_1840_: f32;
-    var phi_1841_: f32;
-    var phi_1864_: type_23;
-    var phi_1866_: type_23;
-    var phi_1867_: bool;
-    var phi_1871_: type_23;
-    var phi_1872_: type_23;
-    var phi_1873_: type_23;
-    var phi_1874_: bool;
-    var phi_1878_: type_23;
-    var phi_1879_: bool;
-    var phi_1880_: type_23;
-    var phi_1881_: bool;
-    var phi_1882_: bool;
-    var phi_1883_: type_23;
-    var phi_1884_: bool;
-    var phi_1885_: bool;
-    var phi_1893_: type_23;
-    var phi_1894_: bool;
-    var phi_1898_: type_23;
-    var phi_1923_: bool;
-    var phi_1924_: bool;
-    var phi_1931_: type_41;
-    var phi_1932_: type_41;
-    var phi_1933_: type_41;
-    var phi_920_: type_41;
-    var phi_3110_: bool;
-    var phi_3256_: bool;
-    var phi_2885_: type_41;
-    var phi_2886_: type_52;
-    var phi_2887_: bool;
-    var phi_2888_: u32;
-    var phi_3255_: bool;
-    var phi_2889_: type_41;
-    var phi_2890_: type_52;
-    var phi_2891_: u32;
-    var phi_2892_: bool;
-    var phi_2893_: u32;
-    var phi_3254_: bool;
-    var phi_2894_: type_41;
-    var phi_2895_: type_52;
-    var phi_2896_: u32;
-    var phi_2897_: bool;
-    var phi_2898_: u32;
-    var phi_3253_: bool;
-    var phi_794_: type_41;
-    var phi_797_: type_52;
-    var phi_799_: u32;
-    var phi_801_: bool;
-    var phi_803_: u32;
-    var phi_2899_: bool;
-    var phi_3252_: bool;
+    var phi_550_: f32;
+    var phi_556_: f32;
+    var phi_608_: f32;
+    var phi_619_: f32;
+    var phi_628_: f32;
+    var phi_634_: f32;
+    var phi_674_: f32;
+    var phi_680_: f32;
+    var phi_732_: f32;
+    var phi_743_: f32;
+    var phi_752_: f32;
+    var phi_758_: f32;
+    var phi_798_: f32;
+    var phi_804_: f32;
+    var phi_856_: f32;
+    var phi_867_: f32;
+    var phi_922_: i32;
+    var phi_944_: u32;
+    var phi_945_: u32;
+    var phi_982_: i32;
+    var phi_1004_: u32;
+    var phi_1005_: u32;
+    var phi_1013_: f32;
+    var phi_1014_: f32;
+    var phi_3541_: bool;
+    var phi_1096_: type_41;
+    var phi_1099_: type_52;
+    var phi_1101_: u32;
+    var phi_1103_: bool;
+    var phi_1105_: u32;
+    var phi_1116_: bool;
+    var phi_1202_: type_52;
+    var phi_1203_: bool;
+    var phi_1204_: u32;
+    var phi_2258_: type_45;
+    var phi_3114_: type_52;
+    var phi_3191_: type_52;
+    var phi_3192_: type_52;
+    var phi_3193_: u32;
+    var phi_3195_: type_52;
+    var phi_3196_: u32;
+    var phi_3197_: bool;
+    var phi_3204_: type_52;
+    var phi_3209_: type_52;
+    var phi_3210_: bool;
+    var phi_1222_: type_41;
+    var phi_1225_: type_7;
+    var phi_1226_: type_7;
+    var phi_1248_: type_7;
+    var phi_1272_: u32;
+    var phi_1361_: array<array<f32, 3>, 3>;
+    var phi_1478_: bool;
+    var phi_1507_: bool;
+    var phi_1908_: f32;
+    var phi_1909_: f32;
+    var phi_1910_: f32;
+    var phi_1911_: f32;
+    var phi_1912_: vec3<f32>;
+    var phi_1913_: vec3<f32>;
+    var phi_1914_: vec3<f32>;
+    var phi_1915_: vec3<f32>;
+    var phi_1946_: bool;
+    var phi_1955_: vec3<f32>;
+    var phi_2120_: f32;
+    var phi_2122_: f32;
+    var phi_2123_: bool;
+    var phi_2143_: f32;
+    var phi_2144_: f32;
+    var phi_2167_: type_23;
+    var phi_2169_: type_23;
+    var phi_2170_: bool;
+    var phi_2174_: type_23;
+    var phi_2175_: type_23;
+    var phi_2176_: type_23;
+    var phi_2177_: bool;
+    var phi_2181_: type_23;
+    var phi_2182_: bool;
+    var phi_2183_: type_23;
+    var phi_2184_: bool;
+    var phi_2185_: bool;
+    var phi_2186_: type_23;
+    var phi_2187_: bool;
+    var phi_2188_: bool;
+    var phi_2196_: type_23;
+    var phi_2197_: bool;
+    var phi_2201_: type_23;
+    var phi_2226_: bool;
+    var phi_2227_: bool;
+    var phi_2234_: type_41;
+    var phi_2235_: type_41;
+    var phi_2236_: type_41;
+    var phi_1223_: type_41;
+    var phi_3535_: bool;
+    var phi_3699_: bool;
+    var phi_3212_: type_41;
+    var phi_3213_: type_52;
+    var phi_3214_: bool;
+    var phi_3215_: u32;
+    var phi_3698_: bool;
+    var phi_3216_: type_41;
+    var phi_3217_: type_52;
+    var phi_3218_: u32;
+    var phi_3219_: bool;
+    var phi_3220_: u32;
+    var phi_3697_: bool;
+    var phi_3221_: type_41;
+    var phi_3222_: type_52;
+    var phi_3223_: u32;
+    var phi_3224_: bool;
+    var phi_3225_: u32;
+    var phi_3696_: bool;
+    var phi_1097_: type_41;
+    var phi_1100_: type_52;
+    var phi_1102_: u32;
+    var phi_1104_: bool;
+    var phi_1106_: u32;
+    var phi_3226_: bool;
+    var phi_3695_: bool;
     var local_10: type_41;
-    var phi_2951_: type_23;
+    var phi_3264_: f32;
+    var phi_3266_: f32;
+    var phi_3267_: bool;
+    var phi_3268_: f32;
+    var phi_3269_: bool;
+    var phi_3455_: u32;
+    var phi_3473_: bool;
+    var phi_3476_: bool;
+    var phi_3489_: f32;
+    var phi_3490_: f32;
+    var phi_3495_: f32;
+    var phi_3496_: f32;
+    var phi_3497_: bool;
+    var phi_3505_: f32;
+    var phi_3284_: f32;
+    var phi_3285_: f32;
+    var phi_3297_: f32;
+    var phi_3302_: type_23;
     var local_11: type_41;
     var local_12: type_41;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e80 = global;
-            let _e83 = arrayLength((&global_7.member));
-            let _e85 = arrayLength((&global_1.member));
-            let _e93 = arrayLength((&global_6.member));
-            let _e97 = global_3.member[0u][0u];
-            let _e101 = global_3.member[0u][1u];
-            let _e105 = global_3.member[0u][2u];
-            let _e109 = global_3.member[1u][0u];
-            let _e113 = global_3.member[1u][1u];
-            let _e117 = global_3.member[1u][2u];
-            let _e121 = global_3.member[1u][3u];
-            let _e125 = (_e80.x + (_e80.y * 2097152u));
-            let _e132 = (_e125 < arrayLength((&global_4.member)));
-            if _e132 {
-                let _e133 = (_e125 < arrayLength((&global_2.member)));
-                if _e133 {
-                    let _e134 = (_e125 < arrayLength((&global_5.member)));
-                    if _e134 {
-                        if _e132 {
+            let _e87 = global;
+            let _e90 = arrayLength((&global_7.member));
+            let _e92 = arrayLength((&global_1.member));
+            let _e100 = arrayLength((&global_6.member));
+            let _e104 = global_3.member[0u][0u];
+            let _e108 = global_3.member[0u][1u];
+            let _e112 = global_3.member[0u][2u];
+            let _e116 = global_3.member[1u][0u];
+            let _e120 = global_3.member[1u][1u];
+            let _e124 = global_3.member[1u][2u];
+            let _e128 = global_3.member[1u][3u];
+            let _e132 = (_e87.x + (_e87.y * 2097152u));
+            let _e139 = (_e132 < arrayLength((&global_4.member)));
+            if _e139 {
+                let _e140 = (_e132 < arrayLength((&global_2.member)));
+                if _e140 {
+                    let _e141 = (_e132 < arrayLength((&global_5.member)));
+                    if _e141 {
+                        if _e139 {
                         } else {
                             break;
                         }
-                        let _e144 = global_4.member[_e125].member.member_2[0u];
-                        let _e146 = (bitcast<u32>(_e144) & 2147483647u);
-                        let _e152 = global_4.member[_e125].member.member_2[1u];
-                        let _e154 = (bitcast<u32>(_e152) & 2147483647u);
-                        let _e160 = global_4.member[_e125].member.member_2[2u];
-                        let _e162 = (bitcast<u32>(_e160) & 2147483647u);
-                        let _e168 = global_4.member[_e125].member.member[0u];
-                        let _e170 = (bitcast<u32>(_e168) & 2147483647u);
-                        let _e176 = global_4.member[_e125].member.member[1u];
-                        let _e178 = (bitcast<u32>(_e176) & 2147483647u);
-                        let _e184 = global_4.member[_e125].member.member[2u];
-                        let _e186 = (bitcast<u32>(_e184) & 2147483647u);
-                        let _e188 = select(_e154, _e146, (_e154 < _e146));
-                        let _e190 = select(_e162, _e188, (_e162 < _e188));
-                        let _e192 = select(_e170, _e190, (_e170 < _e190));
-                        let _e194 = select(_e178, _e192, (_e178 < _e192));
-                        let _e196 = select(_e186, _e194, (_e186 < _e194));
-                        let _e201 = global_4.member[_e125].member.member_1;
-                        let _e203 = (bitcast<u32>(_e201) & 2147483647u);
-                        let _e211 = global_4.member[_e125].member.member_3;
-                        let _e217 = (((select(_e203, _e196, (_e203 < _e196)) < 2139095040u) && ((bitcast<u32>(_e211) & 2147483647u) <= 2139095040u)) && (_e190 > 0u));
-                        if _e217 {
-                            let _e220 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
-                            if (_e220 >= 8388608u) {
-                                phi_342_ = (bitcast<i32>((_e220 >> bitcast<u32>(23i))) - 127i);
+                        let _e151 = global_4.member[_e132].member.member_2[0u];
+                        let _e153 = (bitcast<u32>(_e151) & 2147483647u);
+                        let _e159 = global_4.member[_e132].member.member_2[1u];
+                        let _e161 = (bitcast<u32>(_e159) & 2147483647u);
+                        let _e167 = global_4.member[_e132].member.member_2[2u];
+                        let _e169 = (bitcast<u32>(_e167) & 2147483647u);
+                        let _e175 = global_4.member[_e132].member.member[0u];
+                        let _e177 = (bitcast<u32>(_e175) & 2147483647u);
+                        let _e183 = global_4.member[_e132].member.member[1u];
+                        let _e185 = (bitcast<u32>(_e183) & 2147483647u);
+                        let _e191 = global_4.member[_e132].member.member[2u];
+                        let _e193 = (bitcast<u32>(_e191) & 2147483647u);
+                        let _e195 = select(_e161, _e153, (_e161 < _e153));
+                        let _e197 = select(_e169, _e195, (_e169 < _e195));
+                        let _e199 = select(_e177, _e197, (_e177 < _e197));
+                        let _e201 = select(_e185, _e199, (_e185 < _e199));
+                        let _e203 = select(_e193, _e201, (_e193 < _e201));
+                        let _e208 = global_4.member[_e132].member.member_1;
+                        let _e209 = bitcast<u32>(_e208);
+                        let _e210 = (_e209 & 2147483647u);
+                        let _e218 = global_4.member[_e132].member.member_3;
+                        let _e219 = bitcast<u32>(_e218);
+                        let _e220 = (_e219 & 2147483647u);
+                        let _e224 = (((select(_e210, _e203, (_e210 < _e203)) < 2139095040u) && (_e220 <= 2139095040u)) && (_e197 > 0u));
+                        if _e224 {
+                            let _e227 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
+                            if (_e227 >= 8388608u) {
+                                phi_425_ = (bitcast<i32>((_e227 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_342_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u))));
+                                phi_425_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u))));
                             }
-                            let _e234 = phi_342_;
-                            phi_343_ = _e234;
+                            let _e241 = phi_425_;
+                            phi_426_ = _e241;
                         } else {
-                            phi_343_ = 0i;
+                            phi_426_ = 0i;
                         }
-                        let _e236 = phi_343_;
-                        let _e237 = (_e146 == _e190);
-                        if _e237 {
-                            phi_353_ = true;
+                        let _e243 = phi_426_;
+                        let _e244 = (_e153 == _e197);
+                        if _e244 {
+                            phi_436_ = true;
                         } else {
-                            phi_353_ = (_e154 == _e190);
+                            phi_436_ = (_e161 == _e197);
                         }
-                        let _e240 = phi_353_;
-                        let _e241 = select(1u, 0u, _e237);
-                        if _e240 {
-                            let _e242 = (_e241 + 1u);
-                            phi_363_ = _e242;
-                            phi_364_ = _e242;
-                            phi_366_ = select(true, false, (_e242 == 2u));
+                        let _e247 = phi_436_;
+                        let _e248 = select(1u, 0u, _e244);
+                        if _e247 {
+                            let _e249 = (_e248 + 1u);
+                            phi_446_ = _e249;
+                            phi_447_ = _e249;
+                            phi_449_ = select(true, false, (_e249 == 2u));
                         } else {
-                            phi_363_ = u32();
-                            phi_364_ = 0u;
-                            phi_366_ = true;
+                            phi_446_ = u32();
+                            phi_447_ = 0u;
+                            phi_449_ = true;
                         }
-                        let _e246 = phi_363_;
-                        let _e248 = phi_364_;
-                        let _e250 = phi_366_;
-                        if _e250 {
-                            phi_371_ = (_e248 + 1u);
+                        let _e253 = phi_446_;
+                        let _e255 = phi_447_;
+                        let _e257 = phi_449_;
+                        if _e257 {
+                            phi_454_ = (_e255 + 1u);
                         } else {
-                            phi_371_ = 0u;
+                            phi_454_ = 0u;
                         }
-                        let _e254 = phi_371_;
-                        let _e255 = select(_e246, _e248, _e250);
-                        let _e256 = select(_e241, select(2u, _e241, _e240), _e250);
-                        let _e257 = -(_e236);
-                        if (_e257 < -126i) {
-                            phi_403_ = -126i;
+                        let _e261 = phi_454_;
+                        let _e262 = select(_e253, _e255, _e257);
+                        let _e263 = select(_e248, select(2u, _e248, _e247), _e257);
+                        let _e264 = -(_e243);
+                        if (_e264 < -126i) {
+                            phi_486_ = -126i;
                         } else {
-                            phi_403_ = select(_e257, 127i, (_e257 > 127i));
+                            phi_486_ = select(_e264, 127i, (_e264 > 127i));
                         }
-                        let _e262 = phi_403_;
-                        let _e267 = bitcast<f32>((bitcast<u32>((_e262 + 127i)) << bitcast<u32>(23i)));
-                        let _e273 = bitcast<f32>((bitcast<u32>(((_e257 - _e262) + 127i)) << bitcast<u32>(23i)));
-                        let _e278 = global_4.member[_e125].member.member;
-                        let _e279 = (_e255 == 0u);
-                        if _e279 {
-                            phi_421_ = _e278[0];
+                        let _e269 = phi_486_;
+                        let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
+                        let _e280 = bitcast<f32>((bitcast<u32>(((_e264 - _e269) + 127i)) << bitcast<u32>(23i)));
+                        let _e285 = global_4.member[_e132].member.member;
+                        let _e286 = (_e262 == 0u);
+                        if _e286 {
+                            phi_504_ = _e285[0];
                         } else {
-                            phi_421_ = _e278[1];
+                            phi_504_ = _e285[1];
                         }
-                        let _e283 = phi_421_;
-                        let _e284 = (_e255 == 2u);
-                        if _e284 {
-                            phi_427_ = _e278[2];
+                        let _e290 = phi_504_;
+                        let _e291 = (_e262 == 2u);
+                        if _e291 {
+                            phi_510_ = _e285[2];
                         } else {
-                            phi_427_ = _e283;
+                            phi_510_ = _e290;
                         }
-                        let _e287 = phi_427_;
-                        let _e288 = global_4.member[_e125].member.member_2;
-                        if _e279 {
-                            phi_438_ = _e288[0];
+                        let _e294 = phi_510_;
+                        let _e295 = bitcast<u32>(_e294);
+                        let _e297 = ((_e295 & 2139095040u) != 0u);
+                        let _e309 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e295 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e295 & 2147483648u))), _e294, _e297) * select(0.00000011920929f, 1f, _e297));
+                        let _e310 = global_4.member[_e132].member.member_2;
+                        if _e286 {
+                            phi_550_ = _e310[0];
                         } else {
-                            phi_438_ = _e288[1];
+                            phi_550_ = _e310[1];
                         }
-                        let _e292 = phi_438_;
-                        if _e284 {
-                            phi_444_ = _e288[2];
+                        let _e314 = phi_550_;
+                        if _e291 {
+                            phi_556_ = _e310[2];
                         } else {
-                            phi_444_ = _e292;
+                            phi_556_ = _e314;
                         }
-                        let _e295 = phi_444_;
-                        let _e297 = ((_e295 * _e267) * _e273);
-                        let _e301 = (bitcast<f32>((bitcast<u32>(_e297) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e301 {
-                            let _e305 = (bitcast<f32>((bitcast<u32>(_e287) & 2147483647u)) * 0.00000011920929f);
-                            phi_467_ = select(0.00000000000011368684f, _e305, (_e305 > 0.00000000000011368684f));
+                        let _e317 = phi_556_;
+                        let _e318 = bitcast<u32>(_e317);
+                        let _e320 = ((_e318 & 2139095040u) != 0u);
+                        let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e274) * select(0.00000011920929f, 1f, _e320)) * _e280);
+                        let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e338 {
+                            let _e342 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
+                            phi_608_ = select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f));
                         } else {
-                            phi_467_ = 0f;
+                            phi_608_ = 0f;
                         }
-                        let _e309 = phi_467_;
-                        let _e310 = (_e287 + _e309);
-                        let _e311 = (_e287 - _e309);
-                        let _e312 = select(_e297, 0f, _e301);
-                        if _e301 {
-                            phi_478_ = 38685626000000000000000000f;
+                        let _e346 = phi_608_;
+                        let _e347 = (_e309 + _e346);
+                        let _e348 = (_e309 - _e346);
+                        let _e349 = select(_e334, 0f, _e338);
+                        if _e338 {
+                            phi_619_ = 38685626000000000000000000f;
                         } else {
-                            phi_478_ = (1f / _e297);
+                            phi_619_ = (1f / _e334);
                         }
-                        let _e315 = phi_478_;
-                        let _e316 = (_e254 == 0u);
-                        if _e316 {
-                            phi_487_ = _e278[0];
+                        let _e352 = phi_619_;
+                        let _e353 = (_e261 == 0u);
+                        if _e353 {
+                            phi_628_ = _e285[0];
                         } else {
-                            phi_487_ = _e278[1];
+                            phi_628_ = _e285[1];
                         }
-                        let _e320 = phi_487_;
-                        let _e321 = (_e254 == 2u);
-                        if _e321 {
-                            phi_493_ = _e278[2];
+                        let _e357 = phi_628_;
+                        let _e358 = (_e261 == 2u);
+                        if _e358 {
+                            phi_634_ = _e285[2];
                         } else {
-                            phi_493_ = _e320;
+                            phi_634_ = _e357;
                         }
-                        let _e324 = phi_493_;
-                        if _e316 {
-                            phi_504_ = _e288[0];
+                        let _e361 = phi_634_;
+                        let _e362 = bitcast<u32>(_e361);
+                        let _e364 = ((_e362 & 2139095040u) != 0u);
+                        let _e376 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e362 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e362 & 2147483648u))), _e361, _e364) * select(0.00000011920929f, 1f, _e364));
+                        if _e353 {
+                            phi_674_ = _e310[0];
                         } else {
-                            phi_504_ = _e288[1];
+                            phi_674_ = _e310[1];
                         }
-                        let _e328 = phi_504_;
-                        if _e321 {
-                            phi_510_ = _e288[2];
+                        let _e380 = phi_674_;
+                        if _e358 {
+                            phi_680_ = _e310[2];
                         } else {
-                            phi_510_ = _e328;
+                            phi_680_ = _e380;
                         }
-                        let _e331 = phi_510_;
-                        let _e333 = ((_e331 * _e267) * _e273);
-                        let _e337 = (bitcast<f32>((bitcast<u32>(_e333) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e337 {
-                            let _e341 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) * 0.00000011920929f);
-                            phi_533_ = select(0.00000000000011368684f, _e341, (_e341 > 0.00000000000011368684f));
+                        let _e383 = phi_680_;
+                        let _e384 = bitcast<u32>(_e383);
+                        let _e386 = ((_e384 & 2139095040u) != 0u);
+                        let _e400 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e383, _e386) * _e274) * select(0.00000011920929f, 1f, _e386)) * _e280);
+                        let _e404 = (bitcast<f32>((bitcast<u32>(_e400) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e404 {
+                            let _e408 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) * 0.00000011920929f);
+                            phi_732_ = select(0.00000000000011368684f, _e408, (_e408 > 0.00000000000011368684f));
                         } else {
-                            phi_533_ = 0f;
+                            phi_732_ = 0f;
                         }
-                        let _e345 = phi_533_;
-                        let _e346 = (_e324 + _e345);
-                        let _e347 = (_e324 - _e345);
-                        let _e348 = select(_e333, 0f, _e337);
-                        if _e337 {
-                            phi_544_ = 38685626000000000000000000f;
+                        let _e412 = phi_732_;
+                        let _e413 = (_e376 + _e412);
+                        let _e414 = (_e376 - _e412);
+                        let _e415 = select(_e400, 0f, _e404);
+                        if _e404 {
+                            phi_743_ = 38685626000000000000000000f;
                         } else {
-                            phi_544_ = (1f / _e333);
+                            phi_743_ = (1f / _e400);
                         }
-                        let _e351 = phi_544_;
-                        let _e352 = (_e256 == 0u);
-                        if _e352 {
-                            phi_553_ = _e278[0];
+                        let _e418 = phi_743_;
+                        let _e419 = (_e263 == 0u);
+                        if _e419 {
+                            phi_752_ = _e285[0];
                         } else {
-                            phi_553_ = _e278[1];
+                            phi_752_ = _e285[1];
                         }
-                        let _e356 = phi_553_;
-                        let _e357 = (_e256 == 2u);
-                        if _e357 {
-                            phi_559_ = _e278[2];
+                        let _e423 = phi_752_;
+                        let _e424 = (_e263 == 2u);
+                        if _e424 {
+                            phi_758_ = _e285[2];
                         } else {
-                            phi_559_ = _e356;
+                            phi_758_ = _e423;
                         }
-                        let _e360 = phi_559_;
-                        if _e352 {
-                            phi_570_ = _e288[0];
+                        let _e427 = phi_758_;
+                        let _e428 = bitcast<u32>(_e427);
+                        let _e430 = ((_e428 & 2139095040u) != 0u);
+                        let _e442 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e428 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e428 & 2147483648u))), _e427, _e430) * select(0.00000011920929f, 1f, _e430));
+                        if _e419 {
+                            phi_798_ = _e310[0];
                         } else {
-                            phi_570_ = _e288[1];
+                            phi_798_ = _e310[1];
                         }
-                        let _e364 = phi_570_;
-                        if _e357 {
-                            phi_576_ = _e288[2];
+                        let _e446 = phi_798_;
+                        if _e424 {
+                            phi_804_ = _e310[2];
                         } else {
-                            phi_576_ = _e364;
+                            phi_804_ = _e446;
                         }
-                        let _e367 = phi_576_;
-                        let _e369 = ((_e367 * _e267) * _e273);
-                        let _e373 = (bitcast<f32>((bitcast<u32>(_e369) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e373 {
-                            let _e377 = (bitcast<f32>((bitcast<u32>(_e360) & 2147483647u)) * 0.00000011920929f);
-                            phi_599_ = select(0.00000000000011368684f, _e377, (_e377 > 0.00000000000011368684f));
+                        let _e449 = phi_804_;
+                        let _e450 = bitcast<u32>(_e449);
+                        let _e452 = ((_e450 & 2139095040u) != 0u);
+                        let _e466 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e450 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e450 & 2147483648u))), _e449, _e452) * _e274) * select(0.00000011920929f, 1f, _e452)) * _e280);
+                        let _e470 = (bitcast<f32>((bitcast<u32>(_e466) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e470 {
+                            let _e474 = (bitcast<f32>((bitcast<u32>(_e442) & 2147483647u)) * 0.00000011920929f);
+                            phi_856_ = select(0.00000000000011368684f, _e474, (_e474 > 0.00000000000011368684f));
                         } else {
-                            phi_599_ = 0f;
+                            phi_856_ = 0f;
                         }
-                        let _e381 = phi_599_;
-                        let _e382 = (_e360 + _e381);
-                        let _e383 = (_e360 - _e381);
-                        let _e384 = select(_e369, 0f, _e373);
-                        if _e373 {
-                            phi_610_ = 38685626000000000000000000f;
+                        let _e478 = phi_856_;
+                        let _e479 = (_e442 + _e478);
+                        let _e480 = (_e442 - _e478);
+                        let _e481 = select(_e466, 0f, _e470);
+                        if _e470 {
+                            phi_867_ = 38685626000000000000000000f;
                         } else {
-                            phi_610_ = (1f / _e369);
+                            phi_867_ = (1f / _e466);
                         }
-                        let _e387 = phi_610_;
-                        let _e390 = bitcast<f32>((bitcast<u32>(_e287) & 2147483647u));
-                        let _e393 = bitcast<f32>((bitcast<u32>(_e324) & 2147483647u));
-                        let _e395 = select(_e393, _e390, (_e390 > _e393));
-                        let _e398 = bitcast<f32>((bitcast<u32>(_e360) & 2147483647u));
-                        if (_e217 && (select(_e398, _e395, (_e395 > _e398)) <= 1099511600000f)) {
-                            let _e403 = (_e236 / 3i);
-                            let _e410 = bitcast<f32>((bitcast<u32>((_e403 + 127i)) << bitcast<u32>(23i)));
-                            let _e417 = bitcast<f32>((bitcast<u32>(((_e236 - (2i * _e403)) + 127i)) << bitcast<u32>(23i)));
-                            let _e418 = (((_e201 * _e410) * _e410) * _e417);
-                            let _e420 = select(340282350000000000000000000000000000000f, _e418, (_e418 < 340282350000000000000000000000000000000f));
-                            let _e425 = (((_e211 * _e410) * _e410) * _e417);
-                            let _e427 = select(340282350000000000000000000000000000000f, _e425, (_e425 < 340282350000000000000000000000000000000f));
-                            phi_710_ = select(-340282350000000000000000000000000000000f, _e427, (_e427 > -340282350000000000000000000000000000000f));
-                            phi_711_ = select(-340282350000000000000000000000000000000f, _e420, (_e420 > -340282350000000000000000000000000000000f));
+                        let _e484 = phi_867_;
+                        let _e487 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
+                        let _e490 = bitcast<f32>((bitcast<u32>(_e376) & 2147483647u));
+                        let _e492 = select(_e490, _e487, (_e487 > _e490));
+                        let _e495 = bitcast<f32>((bitcast<u32>(_e442) & 2147483647u));
+                        if (_e224 && (select(_e495, _e492, (_e492 > _e495)) <= 1099511600000f)) {
+                            let _e507 = ((_e210 & 8388607u) | (select(0u, 1u, ((_e210 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e510 = bitcast<i32>((_e210 >> bitcast<u32>(23i)));
+                            let _e514 = (_e507 == 0u);
+                            let _e517 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e507)), 32u, _e514)) - 8i);
+                            if (_e510 == 255i) {
+                                phi_922_ = 255i;
+                            } else {
+                                phi_922_ = (((_e510 + select(0i, 1i, (_e510 == 0i))) - _e517) + _e243);
+                            }
+                            let _e525 = phi_922_;
+                            let _e535 = (_e525 <= 0i);
+                            if _e535 {
+                                phi_945_ = u32();
+                            } else {
+                                if _e514 {
+                                    phi_944_ = u32();
+                                } else {
+                                    phi_944_ = select(((bitcast<u32>(_e525) << bitcast<u32>(23i)) | ((_e507 << bitcast<u32>(((_e517 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e525 >= 255i));
+                                }
+                                let _e539 = phi_944_;
+                                phi_945_ = _e539;
+                            }
+                            let _e541 = phi_945_;
+                            let _e553 = ((_e220 & 8388607u) | (select(0u, 1u, ((_e220 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e556 = bitcast<i32>((_e220 >> bitcast<u32>(23i)));
+                            let _e560 = (_e553 == 0u);
+                            let _e563 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e553)), 32u, _e560)) - 8i);
+                            if (_e556 == 255i) {
+                                phi_982_ = 255i;
+                            } else {
+                                phi_982_ = (((_e556 + select(0i, 1i, (_e556 == 0i))) - _e563) + _e243);
+                            }
+                            let _e571 = phi_982_;
+                            let _e581 = (_e571 <= 0i);
+                            if _e581 {
+                                phi_1005_ = u32();
+                            } else {
+                                if _e560 {
+                                    phi_1004_ = u32();
+                                } else {
+                                    phi_1004_ = select(((bitcast<u32>(_e571) << bitcast<u32>(23i)) | ((_e553 << bitcast<u32>(((_e563 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e571 >= 255i));
+                                }
+                                let _e585 = phi_1004_;
+                                phi_1005_ = _e585;
+                            }
+                            let _e587 = phi_1005_;
+                            phi_1013_ = bitcast<f32>(((_e219 & 2147483648u) | select(_e587, 0u, select(_e560, true, _e581))));
+                            phi_1014_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e541, 0u, select(_e514, true, _e535))));
                         } else {
-                            phi_710_ = 0f;
-                            phi_711_ = 1f;
+                            phi_1013_ = 0f;
+                            phi_1014_ = 1f;
                         }
-                        let _e431 = phi_710_;
-                        let _e433 = phi_711_;
-                        if _e132 {
+                        let _e593 = phi_1013_;
+                        let _e595 = phi_1014_;
+                        if _e139 {
                         } else {
                             break;
                         }
-                        let _e439 = global_4.member[_e125].member_2;
+                        let _e601 = global_4.member[_e132].member_2;
                         local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -503,937 +583,1036 @@ fn function_() {
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        local_9 = array<f32, 3>(bitcast<f32>(_e97), bitcast<f32>(_e101), bitcast<f32>(_e105));
-                        let _e443 = (_e255 % 3u);
-                        let _e444 = (_e443 < 3u);
-                        if _e444 {
+                        local_9 = array<f32, 3>(bitcast<f32>(_e104), bitcast<f32>(_e108), bitcast<f32>(_e112));
+                        let _e605 = (_e262 % 3u);
+                        let _e606 = (_e605 < 3u);
+                        if _e606 {
                         } else {
                             break;
                         }
-                        let _e446 = local_9[_e443];
-                        let _e447 = (_e254 % 3u);
-                        let _e448 = (_e447 < 3u);
-                        if _e448 {
+                        let _e608 = local_9[_e605];
+                        let _e609 = (_e261 % 3u);
+                        let _e610 = (_e609 < 3u);
+                        if _e610 {
                         } else {
                             break;
                         }
-                        let _e450 = local_9[_e447];
-                        let _e451 = (_e256 % 3u);
-                        let _e452 = (_e451 < 3u);
-                        if _e452 {
+                        let _e612 = local_9[_e609];
+                        let _e613 = (_e263 % 3u);
+                        let _e614 = (_e613 < 3u);
+                        if _e614 {
                         } else {
                             break;
                         }
-                        let _e454 = local_9[_e451];
-                        local_8 = array<f32, 3>(bitcast<f32>(_e109), bitcast<f32>(_e113), bitcast<f32>(_e117));
-                        if _e444 {
+                        let _e616 = local_9[_e613];
+                        local_8 = array<f32, 3>(bitcast<f32>(_e116), bitcast<f32>(_e120), bitcast<f32>(_e124));
+                        if _e606 {
                         } else {
                             break;
                         }
-                        let _e458 = local_8[_e443];
-                        if _e448 {
+                        let _e620 = local_8[_e605];
+                        if _e610 {
                         } else {
                             break;
                         }
-                        let _e460 = local_8[_e447];
-                        if _e452 {
+                        let _e622 = local_8[_e609];
+                        if _e614 {
                         } else {
                             break;
                         }
-                        let _e462 = local_8[_e451];
-                        phi_3116_ = false;
-                        phi_793_ = type_41(type_38(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e431), 0u, 0u);
-                        phi_796_ = type_52(type_50(array<f32, 3>(_e446, _e450, _e454), array<f32, 3>(_e458, _e460, _e462)), select(0u, 2147483648u, (_e83 == 0u)));
-                        phi_798_ = ((3u * _e83) + 1u);
-                        phi_800_ = (_e433 <= _e431);
-                        phi_802_ = 0u;
+                        let _e624 = local_8[_e613];
+                        phi_3541_ = false;
+                        phi_1096_ = type_41(type_38(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e593), 0u, 0u);
+                        phi_1099_ = type_52(type_50(array<f32, 3>(_e608, _e612, _e616), array<f32, 3>(_e620, _e622, _e624)), select(0u, 2147483648u, (_e90 == 0u)));
+                        phi_1101_ = ((3u * _e90) + 1u);
+                        phi_1103_ = (_e595 <= _e593);
+                        phi_1105_ = 0u;
                         loop {
-                            let _e470 = phi_3116_;
-                            let _e472 = phi_793_;
-                            let _e474 = phi_796_;
-                            let _e476 = phi_798_;
-                            let _e478 = phi_800_;
-                            let _e480 = phi_802_;
-                            local_10 = _e472;
-                            local_11 = _e472;
-                            if _e478 {
-                                phi_813_ = true;
+                            let _e632 = phi_3541_;
+                            let _e634 = phi_1096_;
+                            let _e636 = phi_1099_;
+                            let _e638 = phi_1101_;
+                            let _e640 = phi_1103_;
+                            let _e642 = phi_1105_;
+                            local_10 = _e634;
+                            local_11 = _e634;
+                            if _e640 {
+                                phi_1116_ = true;
                             } else {
-                                phi_813_ = (_e480 > 0u);
+                                phi_1116_ = (_e642 > 0u);
                             }
-                            let _e483 = phi_813_;
-                            if _e483 {
-                                let _e484 = (_e476 > 0u);
-                                if _e484 {
-                                    if _e478 {
-                                        phi_899_ = _e474;
-                                        phi_900_ = _e478;
-                                        phi_901_ = _e480;
+                            let _e645 = phi_1116_;
+                            if _e645 {
+                                let _e646 = (_e638 > 0u);
+                                if _e646 {
+                                    if _e640 {
+                                        phi_1202_ = _e636;
+                                        phi_1203_ = _e640;
+                                        phi_1204_ = _e642;
                                     } else {
-                                        let _e485 = (_e480 - 1u);
-                                        let _e486 = (_e485 % 128u);
-                                        let _e487 = (_e486 < 128u);
-                                        if _e487 {
+                                        let _e647 = (_e642 - 1u);
+                                        let _e648 = (_e647 % 128u);
+                                        let _e649 = (_e648 < 128u);
+                                        if _e649 {
                                         } else {
-                                            phi_3252_ = true;
+                                            phi_3695_ = true;
                                             break;
                                         }
-                                        let _e489 = local_6[_e486];
-                                        if _e487 {
+                                        let _e651 = local_6[_e648];
+                                        if _e649 {
                                         } else {
-                                            phi_3252_ = true;
+                                            phi_3695_ = true;
                                             break;
                                         }
-                                        let _e491 = local_5[_e486];
-                                        if _e487 {
+                                        let _e653 = local_5[_e648];
+                                        if _e649 {
                                         } else {
-                                            phi_3252_ = true;
+                                            phi_3695_ = true;
                                             break;
                                         }
-                                        let _e493 = local_4[_e486];
-                                        if _e487 {
+                                        let _e655 = local_4[_e648];
+                                        if _e649 {
                                         } else {
-                                            phi_3252_ = true;
+                                            phi_3695_ = true;
                                             break;
                                         }
-                                        let _e495 = local_3[_e486];
-                                        if _e487 {
+                                        let _e657 = local_3[_e648];
+                                        if _e649 {
                                         } else {
-                                            phi_3252_ = true;
+                                            phi_3695_ = true;
                                             break;
                                         }
-                                        let _e498 = local_2[_e486];
-                                        if _e487 {
+                                        let _e660 = local_2[_e648];
+                                        if _e649 {
                                         } else {
-                                            phi_3252_ = true;
+                                            phi_3695_ = true;
                                             break;
                                         }
-                                        let _e500 = local_1[_e486];
-                                        if _e487 {
+                                        let _e662 = local_1[_e648];
+                                        if _e649 {
                                         } else {
-                                            phi_3252_ = true;
+                                            phi_3695_ = true;
                                             break;
                                         }
-                                        let _e502 = local[_e486];
-                                        if _e487 {
+                                        let _e664 = local[_e648];
+                                        if _e649 {
                                         } else {
-                                            phi_3252_ = true;
+                                            phi_3695_ = true;
                                             break;
                                         }
-                                        let _e507 = local_7[_e486];
-                                        phi_899_ = type_52(type_50(array<f32, 3>(_e491, _e493, _e495), array<f32, 3>(_e498, _e500, _e502)), _e489);
-                                        phi_900_ = (_e507 <= _e472.member.member_1);
-                                        phi_901_ = _e485;
+                                        let _e669 = local_7[_e648];
+                                        phi_1202_ = type_52(type_50(array<f32, 3>(_e653, _e655, _e657), array<f32, 3>(_e660, _e662, _e664)), _e651);
+                                        phi_1203_ = (_e669 <= _e634.member.member_1);
+                                        phi_1204_ = _e647;
                                     }
-                                    let _e512 = phi_899_;
-                                    let _e514 = phi_900_;
-                                    let _e516 = phi_901_;
-                                    if _e514 {
-                                        if ((_e512.member_1 & 2147483648u) != 0u) {
-                                            phi_919_ = _e472;
-                                            phi_922_ = type_7(0u, ((_e512.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e674 = phi_1202_;
+                                    let _e676 = phi_1203_;
+                                    let _e678 = phi_1204_;
+                                    if _e676 {
+                                        if ((_e674.member_1 & 2147483648u) != 0u) {
+                                            phi_1222_ = _e634;
+                                            phi_1225_ = type_7(0u, ((_e674.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e875 = phi_919_;
-                                                let _e877 = phi_922_;
-                                                local_12 = _e875;
-                                                if (_e877.member < _e877.member_1) {
-                                                    phi_923_ = type_7((_e877.member + 1u), _e877.member_1);
-                                                    phi_945_ = type_7(1u, _e877.member);
+                                                let _e1061 = phi_1222_;
+                                                let _e1063 = phi_1225_;
+                                                local_12 = _e1061;
+                                                if (_e1063.member < _e1063.member_1) {
+                                                    phi_1226_ = type_7((_e1063.member + 1u), _e1063.member_1);
+                                                    phi_1248_ = type_7(1u, _e1063.member);
                                                 } else {
-                                                    phi_923_ = _e877;
-                                                    phi_945_ = type_7(0u, type_7().member_1);
+                                                    phi_1226_ = _e1063;
+                                                    phi_1248_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e890 = phi_923_;
-                                                let _e892 = phi_945_;
-                                                let _e896 = (bitcast<i32>(_e892.member) != 0i);
-                                                if _e896 {
-                                                    let _e902 = type_41(_e875.member, _e875.member_1, (_e875.member_2 + 1u));
-                                                    let _e903 = ((_e512.member_1 & 268435455u) + _e892.member_1);
-                                                    let _e904 = (_e903 < _e85);
-                                                    if _e904 {
-                                                        if _e904 {
+                                                let _e1076 = phi_1226_;
+                                                let _e1078 = phi_1248_;
+                                                let _e1082 = (bitcast<i32>(_e1078.member) != 0i);
+                                                if _e1082 {
+                                                    let _e1088 = type_41(_e1061.member, _e1061.member_1, (_e1061.member_2 + 1u));
+                                                    let _e1089 = ((_e674.member_1 & 268435455u) + _e1078.member_1);
+                                                    let _e1090 = (_e1089 < _e92);
+                                                    if _e1090 {
+                                                        if _e1090 {
                                                         } else {
-                                                            phi_3110_ = true;
+                                                            phi_3535_ = true;
                                                             break;
                                                         }
-                                                        let _e908 = global_1.member[_e903].member_1;
-                                                        phi_969_ = _e908;
+                                                        let _e1094 = global_1.member[_e1089].member_1;
+                                                        phi_1272_ = _e1094;
                                                     } else {
-                                                        phi_969_ = 4294967295u;
+                                                        phi_1272_ = 4294967295u;
                                                     }
-                                                    let _e910 = phi_969_;
-                                                    if (_e903 >= _e85) {
-                                                        phi_1058_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e1096 = phi_1272_;
+                                                    if (_e1089 >= _e92) {
+                                                        phi_1361_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e904 {
+                                                        if _e1090 {
                                                         } else {
-                                                            phi_3110_ = true;
+                                                            phi_3535_ = true;
                                                             break;
                                                         }
-                                                        if (_e443 < 9u) {
+                                                        if (_e605 < 9u) {
                                                         } else {
-                                                            phi_3110_ = true;
+                                                            phi_3535_ = true;
                                                             break;
                                                         }
-                                                        let _e917 = global_1.member[_e903].member[_e443];
-                                                        if (_e447 < 9u) {
+                                                        let _e1103 = global_1.member[_e1089].member[_e605];
+                                                        if (_e609 < 9u) {
                                                         } else {
-                                                            phi_3110_ = true;
+                                                            phi_3535_ = true;
                                                             break;
                                                         }
-                                                        let _e923 = global_1.member[_e903].member[_e447];
-                                                        if (_e451 < 9u) {
+                                                        let _e1109 = global_1.member[_e1089].member[_e609];
+                                                        if (_e613 < 9u) {
                                                         } else {
-                                                            phi_3110_ = true;
+                                                            phi_3535_ = true;
                                                             break;
                                                         }
-                                                        let _e929 = global_1.member[_e903].member[_e451];
-                                                        let _e931 = (3u + _e443);
-                                                        if (_e931 < 9u) {
+                                                        let _e1115 = global_1.member[_e1089].member[_e613];
+                                                        let _e1117 = (3u + _e605);
+                                                        if (_e1117 < 9u) {
                                                         } else {
-                                                            phi_3110_ = true;
+                                                            phi_3535_ = true;
                                                             break;
                                                         }
-                                                        let _e937 = global_1.member[_e903].member[_e931];
-                                                        let _e938 = (3u + _e447);
-                                                        if (_e938 < 9u) {
+                                                        let _e1123 = global_1.member[_e1089].member[_e1117];
+                                                        let _e1124 = (3u + _e609);
+                                                        if (_e1124 < 9u) {
                                                         } else {
-                                                            phi_3110_ = true;
+                                                            phi_3535_ = true;
                                                             break;
                                                         }
-                                                        let _e944 = global_1.member[_e903].member[_e938];
-                                                        let _e945 = (3u + _e451);
-                                                        if (_e945 < 9u) {
+                                                        let _e1130 = global_1.member[_e1089].member[_e1124];
+                                                        let _e1131 = (3u + _e613);
+                                                        if (_e1131 < 9u) {
                                                         } else {
-                                                            phi_3110_ = true;
+                                                            phi_3535_ = true;
                                                             break;
                                                         }
-                                                        let _e951 = global_1.member[_e903].member[_e945];
-                                                        let _e953 = (6u + _e443);
-                                                        if (_e953 < 9u) {
+                                                        let _e1137 = global_1.member[_e1089].member[_e1131];
+                                                        let _e1139 = (6u + _e605);
+                                                        if (_e1139 < 9u) {
                                                         } else {
-                                                            phi_3110_ = true;
+                                                            phi_3535_ = true;
                                                             break;
                                                         }
-                                                        let _e959 = global_1.member[_e903].member[_e953];
-                                                        let _e960 = (6u + _e447);
-                                                        if (_e960 < 9u) {
+                                                        let _e1145 = global_1.member[_e1089].member[_e1139];
+                                                        let _e1146 = (6u + _e609);
+                                                        if (_e1146 < 9u) {
                                                         } else {
-                                                            phi_3110_ = true;
+                                                            phi_3535_ = true;
                                                             break;
                                                         }
-                                                        let _e966 = global_1.member[_e903].member[_e960];
-                                                        let _e967 = (6u + _e451);
-                                                        if (_e967 < 9u) {
+                                                        let _e1152 = global_1.member[_e1089].member[_e1146];
+                                                        let _e1153 = (6u + _e613);
+                                                        if (_e1153 < 9u) {
                                                         } else {
-                                                            phi_3110_ = true;
+                                                            phi_3535_ = true;
                                                             break;
                                                         }
-                                                        let _e973 = global_1.member[_e903].member[_e967];
-                                                        phi_1058_ = array<array<f32, 3>, 3>(array<f32, 3>(_e917, _e923, _e929), array<f32, 3>(_e937, _e944, _e951), array<f32, 3>(_e959, _e966, _e973));
+                                                        let _e1159 = global_1.member[_e1089].member[_e1153];
+                                                        phi_1361_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1103, _e1109, _e1115), array<f32, 3>(_e1123, _e1130, _e1137), array<f32, 3>(_e1145, _e1152, _e1159));
                                                     }
-                                                    let _e977 = phi_1058_;
-                                                    let _e986 = (_e977[0][2] - _e360);
-                                                    let _e989 = (((_e977[0][0] - _e287) * _e384) - (_e986 * _e312));
-                                                    let _e992 = (((_e977[0][1] - _e324) * _e384) - (_e986 * _e348));
-                                                    let _e999 = (_e977[1][2] - _e360);
-                                                    let _e1002 = (((_e977[1][0] - _e287) * _e384) - (_e999 * _e312));
-                                                    let _e1005 = (((_e977[1][1] - _e324) * _e384) - (_e999 * _e348));
-                                                    let _e1012 = (_e977[2][2] - _e360);
-                                                    let _e1015 = (((_e977[2][0] - _e287) * _e384) - (_e1012 * _e312));
-                                                    let _e1018 = (((_e977[2][1] - _e324) * _e384) - (_e1012 * _e348));
-                                                    let _e1019 = (_e1015 * _e1005);
-                                                    let _e1020 = (_e1018 * _e1002);
-                                                    let _e1021 = (_e989 * _e1018);
-                                                    let _e1022 = (_e992 * _e1015);
-                                                    let _e1023 = (_e1002 * _e992);
-                                                    let _e1024 = (_e1005 * _e989);
-                                                    let _e1029 = (((_e1019 >= _e1020) && (_e1021 >= _e1022)) && (_e1023 >= _e1024));
-                                                    if (_e1029 || (((_e1019 <= _e1020) && (_e1021 <= _e1022)) && (_e1023 <= _e1024))) {
-                                                        let _e1036 = select(-1f, 1f, _e1029);
-                                                        let _e1038 = ((_e1019 - _e1020) * _e1036);
-                                                        let _e1040 = select(0f, _e1038, (_e1038 > 0f));
-                                                        let _e1042 = ((_e1021 - _e1022) * _e1036);
-                                                        let _e1044 = select(0f, _e1042, (_e1042 > 0f));
-                                                        let _e1046 = ((_e1023 - _e1024) * _e1036);
-                                                        let _e1048 = select(0f, _e1046, (_e1046 > 0f));
-                                                        let _e1050 = ((_e1040 + _e1044) + _e1048);
-                                                        if (_e1050 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1883_ = type_23();
-                                                            phi_1884_ = true;
-                                                            phi_1885_ = false;
+                                                    let _e1163 = phi_1361_;
+                                                    let _e1172 = (_e1163[0][2] - _e442);
+                                                    let _e1175 = (((_e1163[0][0] - _e309) * _e481) - (_e1172 * _e349));
+                                                    let _e1178 = (((_e1163[0][1] - _e376) * _e481) - (_e1172 * _e415));
+                                                    let _e1185 = (_e1163[1][2] - _e442);
+                                                    let _e1188 = (((_e1163[1][0] - _e309) * _e481) - (_e1185 * _e349));
+                                                    let _e1191 = (((_e1163[1][1] - _e376) * _e481) - (_e1185 * _e415));
+                                                    let _e1198 = (_e1163[2][2] - _e442);
+                                                    let _e1201 = (((_e1163[2][0] - _e309) * _e481) - (_e1198 * _e349));
+                                                    let _e1204 = (((_e1163[2][1] - _e376) * _e481) - (_e1198 * _e415));
+                                                    let _e1205 = (_e1201 * _e1191);
+                                                    let _e1206 = (_e1204 * _e1188);
+                                                    let _e1207 = (_e1175 * _e1204);
+                                                    let _e1208 = (_e1178 * _e1201);
+                                                    let _e1209 = (_e1188 * _e1178);
+                                                    let _e1210 = (_e1191 * _e1175);
+                                                    let _e1215 = (((_e1205 >= _e1206) && (_e1207 >= _e1208)) && (_e1209 >= _e1210));
+                                                    if (_e1215 || (((_e1205 <= _e1206) && (_e1207 <= _e1208)) && (_e1209 <= _e1210))) {
+                                                        let _e1222 = select(-1f, 1f, _e1215);
+                                                        let _e1224 = ((_e1205 - _e1206) * _e1222);
+                                                        let _e1226 = select(0f, _e1224, (_e1224 > 0f));
+                                                        let _e1228 = ((_e1207 - _e1208) * _e1222);
+                                                        let _e1230 = select(0f, _e1228, (_e1228 > 0f));
+                                                        let _e1232 = ((_e1209 - _e1210) * _e1222);
+                                                        let _e1234 = select(0f, _e1232, (_e1232 > 0f));
+                                                        let _e1236 = ((_e1226 + _e1230) + _e1234);
+                                                        if (_e1236 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2186_ = type_23();
+                                                            phi_2187_ = true;
+                                                            phi_2188_ = false;
                                                         } else {
-                                                            let _e1053 = select(_e1002, _e989, (_e989 < _e1002));
-                                                            if (select(_e1015, _e1053, (_e1053 < _e1015)) > 0f) {
-                                                                phi_1175_ = true;
+                                                            let _e1239 = select(_e1188, _e1175, (_e1175 < _e1188));
+                                                            if (select(_e1201, _e1239, (_e1239 < _e1201)) > 0f) {
+                                                                phi_1478_ = true;
                                                             } else {
-                                                                let _e1058 = select(_e1002, _e989, (_e989 > _e1002));
-                                                                phi_1175_ = (select(_e1015, _e1058, (_e1058 > _e1015)) < 0f);
+                                                                let _e1244 = select(_e1188, _e1175, (_e1175 > _e1188));
+                                                                phi_1478_ = (select(_e1201, _e1244, (_e1244 > _e1201)) < 0f);
                                                             }
-                                                            let _e1063 = phi_1175_;
-                                                            if _e1063 {
-                                                                phi_1880_ = type_23();
-                                                                phi_1881_ = true;
-                                                                phi_1882_ = false;
+                                                            let _e1249 = phi_1478_;
+                                                            if _e1249 {
+                                                                phi_2183_ = type_23();
+                                                                phi_2184_ = true;
+                                                                phi_2185_ = false;
                                                             } else {
-                                                                let _e1065 = select(_e1005, _e992, (_e992 < _e1005));
-                                                                if (select(_e1018, _e1065, (_e1065 < _e1018)) > 0f) {
-                                                                    phi_1204_ = true;
+                                                                let _e1251 = select(_e1191, _e1178, (_e1178 < _e1191));
+                                                                if (select(_e1204, _e1251, (_e1251 < _e1204)) > 0f) {
+                                                                    phi_1507_ = true;
                                                                 } else {
-                                                                    let _e1070 = select(_e1005, _e992, (_e992 > _e1005));
-                                                                    phi_1204_ = (select(_e1018, _e1070, (_e1070 > _e1018)) < 0f);
+                                                                    let _e1256 = select(_e1191, _e1178, (_e1178 > _e1191));
+                                                                    phi_1507_ = (select(_e1204, _e1256, (_e1256 > _e1204)) < 0f);
                                                                 }
-                                                                let _e1075 = phi_1204_;
-                                                                if _e1075 {
-                                                                    phi_1878_ = type_23();
-                                                                    phi_1879_ = false;
+                                                                let _e1261 = phi_1507_;
+                                                                if _e1261 {
+                                                                    phi_2181_ = type_23();
+                                                                    phi_2182_ = false;
                                                                 } else {
-                                                                    let _e1077 = select(_e977[1][0], _e977[0][0], (_e977[0][0] < _e977[1][0]));
-                                                                    let _e1081 = select(_e977[1][0], _e977[0][0], (_e977[0][0] > _e977[1][0]));
-                                                                    let _e1085 = select(_e977[1][1], _e977[0][1], (_e977[0][1] < _e977[1][1]));
-                                                                    let _e1089 = select(_e977[1][1], _e977[0][1], (_e977[0][1] > _e977[1][1]));
-                                                                    let _e1093 = select(_e977[1][2], _e977[0][2], (_e977[0][2] < _e977[1][2]));
-                                                                    let _e1097 = select(_e977[1][2], _e977[0][2], (_e977[0][2] > _e977[1][2]));
-                                                                    let _e1102 = ((select(_e977[2][0], _e1077, (_e1077 < _e977[2][0])) - _e310) * _e315);
-                                                                    let _e1103 = ((select(_e977[2][0], _e1081, (_e1081 > _e977[2][0])) - _e311) * _e315);
-                                                                    let _e1106 = ((select(_e977[2][1], _e1085, (_e1085 < _e977[2][1])) - _e346) * _e351);
-                                                                    let _e1107 = ((select(_e977[2][1], _e1089, (_e1089 > _e977[2][1])) - _e347) * _e351);
-                                                                    let _e1110 = ((select(_e977[2][2], _e1093, (_e1093 < _e977[2][2])) - _e382) * _e387);
-                                                                    let _e1111 = ((select(_e977[2][2], _e1097, (_e1097 > _e977[2][2])) - _e383) * _e387);
-                                                                    let _e1113 = select(_e1111, _e1110, (_e1110 < _e1111));
-                                                                    let _e1115 = select(_e1111, _e1110, (_e1110 > _e1111));
-                                                                    let _e1117 = select(_e1103, _e1102, (_e1102 < _e1103));
-                                                                    let _e1119 = select(_e1107, _e1106, (_e1106 < _e1107));
-                                                                    let _e1121 = select(_e1119, _e1117, (_e1117 > _e1119));
-                                                                    let _e1123 = select(_e1113, _e1121, (_e1121 > _e1113));
-                                                                    let _e1125 = select(_e1103, _e1102, (_e1102 > _e1103));
-                                                                    let _e1127 = select(_e1107, _e1106, (_e1106 > _e1107));
-                                                                    let _e1129 = select(_e1127, _e1125, (_e1125 < _e1127));
-                                                                    let _e1131 = select(_e1115, _e1129, (_e1129 < _e1115));
-                                                                    let _e1132 = -(_e1113);
-                                                                    let _e1138 = select(_e433, _e1123, (_e1123 > _e433));
-                                                                    if (_e1138 > (_e1131 + (select(_e1132, _e1115, (_e1115 > _e1132)) * 0.0000019073523f))) {
-                                                                        phi_1873_ = type_23();
-                                                                        phi_1874_ = true;
+                                                                    let _e1263 = select(_e1163[1][0], _e1163[0][0], (_e1163[0][0] < _e1163[1][0]));
+                                                                    let _e1267 = select(_e1163[1][0], _e1163[0][0], (_e1163[0][0] > _e1163[1][0]));
+                                                                    let _e1271 = select(_e1163[1][1], _e1163[0][1], (_e1163[0][1] < _e1163[1][1]));
+                                                                    let _e1275 = select(_e1163[1][1], _e1163[0][1], (_e1163[0][1] > _e1163[1][1]));
+                                                                    let _e1279 = select(_e1163[1][2], _e1163[0][2], (_e1163[0][2] < _e1163[1][2]));
+                                                                    let _e1283 = select(_e1163[1][2], _e1163[0][2], (_e1163[0][2] > _e1163[1][2]));
+                                                                    let _e1288 = ((select(_e1163[2][0], _e1263, (_e1263 < _e1163[2][0])) - _e347) * _e352);
+                                                                    let _e1289 = ((select(_e1163[2][0], _e1267, (_e1267 > _e1163[2][0])) - _e348) * _e352);
+                                                                    let _e1292 = ((select(_e1163[2][1], _e1271, (_e1271 < _e1163[2][1])) - _e413) * _e418);
+                                                                    let _e1293 = ((select(_e1163[2][1], _e1275, (_e1275 > _e1163[2][1])) - _e414) * _e418);
+                                                                    let _e1296 = ((select(_e1163[2][2], _e1279, (_e1279 < _e1163[2][2])) - _e479) * _e484);
+                                                                    let _e1297 = ((select(_e1163[2][2], _e1283, (_e1283 > _e1163[2][2])) - _e480) * _e484);
+                                                                    let _e1299 = select(_e1297, _e1296, (_e1296 < _e1297));
+                                                                    let _e1301 = select(_e1297, _e1296, (_e1296 > _e1297));
+                                                                    let _e1303 = select(_e1289, _e1288, (_e1288 < _e1289));
+                                                                    let _e1305 = select(_e1293, _e1292, (_e1292 < _e1293));
+                                                                    let _e1307 = select(_e1305, _e1303, (_e1303 > _e1305));
+                                                                    let _e1309 = select(_e1299, _e1307, (_e1307 > _e1299));
+                                                                    let _e1311 = select(_e1289, _e1288, (_e1288 > _e1289));
+                                                                    let _e1313 = select(_e1293, _e1292, (_e1292 > _e1293));
+                                                                    let _e1315 = select(_e1313, _e1311, (_e1311 < _e1313));
+                                                                    let _e1317 = select(_e1301, _e1315, (_e1315 < _e1301));
+                                                                    let _e1318 = -(_e1299);
+                                                                    let _e1324 = select(_e595, _e1309, (_e1309 > _e595));
+                                                                    if (_e1324 > (_e1317 + (select(_e1318, _e1301, (_e1301 > _e1318)) * 0.0000019073523f))) {
+                                                                        phi_2176_ = type_23();
+                                                                        phi_2177_ = true;
                                                                     } else {
-                                                                        let _e1140 = (_e1138 > _e875.member.member_1);
-                                                                        if _e1140 {
-                                                                            phi_1872_ = type_23();
+                                                                        let _e1326 = (_e1324 > _e1061.member.member_1);
+                                                                        if _e1326 {
+                                                                            phi_2175_ = type_23();
                                                                         } else {
-                                                                            let _e1141 = vec3<f32>(_e977[0][0], _e977[0][1], _e977[0][2]);
-                                                                            let _e1142 = vec3<f32>(_e977[1][0], _e977[1][1], _e977[1][2]);
-                                                                            let _e1143 = vec3<f32>(_e977[2][0], _e977[2][1], _e977[2][2]);
-                                                                            let _e1144 = (_e977[1][0] - _e977[0][0]);
-                                                                            let _e1145 = (_e977[1][1] - _e977[0][1]);
-                                                                            let _e1146 = (_e977[1][2] - _e977[0][2]);
-                                                                            let _e1147 = vec3<f32>(_e1144, _e1145, _e1146);
-                                                                            let _e1148 = (_e977[2][0] - _e977[1][0]);
-                                                                            let _e1149 = (_e977[2][1] - _e977[1][1]);
-                                                                            let _e1150 = (_e977[2][2] - _e977[1][2]);
-                                                                            let _e1151 = vec3<f32>(_e1148, _e1149, _e1150);
-                                                                            let _e1152 = (_e977[0][0] - _e977[2][0]);
-                                                                            let _e1153 = (_e977[0][1] - _e977[2][1]);
-                                                                            let _e1154 = (_e977[0][2] - _e977[2][2]);
-                                                                            let _e1155 = vec3<f32>(_e1152, _e1153, _e1154);
-                                                                            let _e1158 = bitcast<f32>((bitcast<u32>(_e1144) & 2147483647u));
-                                                                            let _e1161 = bitcast<f32>((bitcast<u32>(_e1145) & 2147483647u));
-                                                                            let _e1163 = select(_e1161, _e1158, (_e1158 > _e1161));
-                                                                            let _e1166 = bitcast<f32>((bitcast<u32>(_e1146) & 2147483647u));
-                                                                            let _e1168 = select(_e1166, _e1163, (_e1163 > _e1166));
-                                                                            let _e1171 = bitcast<f32>((bitcast<u32>(_e1148) & 2147483647u));
-                                                                            let _e1174 = bitcast<f32>((bitcast<u32>(_e1149) & 2147483647u));
-                                                                            let _e1176 = select(_e1174, _e1171, (_e1171 > _e1174));
-                                                                            let _e1179 = bitcast<f32>((bitcast<u32>(_e1150) & 2147483647u));
-                                                                            let _e1181 = select(_e1179, _e1176, (_e1176 > _e1179));
-                                                                            let _e1184 = bitcast<f32>((bitcast<u32>(_e1152) & 2147483647u));
-                                                                            let _e1187 = bitcast<f32>((bitcast<u32>(_e1153) & 2147483647u));
-                                                                            let _e1189 = select(_e1187, _e1184, (_e1184 > _e1187));
-                                                                            let _e1192 = bitcast<f32>((bitcast<u32>(_e1154) & 2147483647u));
-                                                                            let _e1194 = select(_e1192, _e1189, (_e1189 > _e1192));
-                                                                            let _e1196 = select(_e1181, _e1168, (_e1168 > _e1181));
-                                                                            let _e1198 = select(_e1194, _e1196, (_e1196 > _e1194));
-                                                                            if (_e1168 == _e1198) {
-                                                                                phi_1605_ = _e1005;
-                                                                                phi_1606_ = _e1002;
-                                                                                phi_1607_ = _e992;
-                                                                                phi_1608_ = _e989;
-                                                                                phi_1609_ = _e1141;
-                                                                                phi_1610_ = _e1155;
-                                                                                phi_1611_ = _e1151;
-                                                                                phi_1612_ = _e1147;
+                                                                            let _e1327 = vec3<f32>(_e1163[0][0], _e1163[0][1], _e1163[0][2]);
+                                                                            let _e1328 = vec3<f32>(_e1163[1][0], _e1163[1][1], _e1163[1][2]);
+                                                                            let _e1329 = vec3<f32>(_e1163[2][0], _e1163[2][1], _e1163[2][2]);
+                                                                            let _e1330 = (_e1163[1][0] - _e1163[0][0]);
+                                                                            let _e1331 = (_e1163[1][1] - _e1163[0][1]);
+                                                                            let _e1332 = (_e1163[1][2] - _e1163[0][2]);
+                                                                            let _e1333 = vec3<f32>(_e1330, _e1331, _e1332);
+                                                                            let _e1334 = (_e1163[2][0] - _e1163[1][0]);
+                                                                            let _e1335 = (_e1163[2][1] - _e1163[1][1]);
+                                                                            let _e1336 = (_e1163[2][2] - _e1163[1][2]);
+                                                                            let _e1337 = vec3<f32>(_e1334, _e1335, _e1336);
+                                                                            let _e1338 = (_e1163[0][0] - _e1163[2][0]);
+                                                                            let _e1339 = (_e1163[0][1] - _e1163[2][1]);
+                                                                            let _e1340 = (_e1163[0][2] - _e1163[2][2]);
+                                                                            let _e1341 = vec3<f32>(_e1338, _e1339, _e1340);
+                                                                            let _e1344 = bitcast<f32>((bitcast<u32>(_e1330) & 2147483647u));
+                                                                            let _e1347 = bitcast<f32>((bitcast<u32>(_e1331) & 2147483647u));
+                                                                            let _e1349 = select(_e1347, _e1344, (_e1344 > _e1347));
+                                                                            let _e1352 = bitcast<f32>((bitcast<u32>(_e1332) & 2147483647u));
+                                                                            let _e1354 = select(_e1352, _e1349, (_e1349 > _e1352));
+                                                                            let _e1357 = bitcast<f32>((bitcast<u32>(_e1334) & 2147483647u));
+                                                                            let _e1360 = bitcast<f32>((bitcast<u32>(_e1335) & 2147483647u));
+                                                                            let _e1362 = select(_e1360, _e1357, (_e1357 > _e1360));
+                                                                            let _e1365 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
+                                                                            let _e1367 = select(_e1365, _e1362, (_e1362 > _e1365));
+                                                                            let _e1370 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
+                                                                            let _e1373 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
+                                                                            let _e1375 = select(_e1373, _e1370, (_e1370 > _e1373));
+                                                                            let _e1378 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
+                                                                            let _e1380 = select(_e1378, _e1375, (_e1375 > _e1378));
+                                                                            let _e1382 = select(_e1367, _e1354, (_e1354 > _e1367));
+                                                                            let _e1384 = select(_e1380, _e1382, (_e1382 > _e1380));
+                                                                            if (_e1354 == _e1384) {
+                                                                                phi_1908_ = _e1191;
+                                                                                phi_1909_ = _e1188;
+                                                                                phi_1910_ = _e1178;
+                                                                                phi_1911_ = _e1175;
+                                                                                phi_1912_ = _e1327;
+                                                                                phi_1913_ = _e1341;
+                                                                                phi_1914_ = _e1337;
+                                                                                phi_1915_ = _e1333;
                                                                             } else {
-                                                                                let _e1200 = (_e1181 == _e1198);
-                                                                                let _e1205 = vec3(_e1200);
-                                                                                phi_1605_ = select(_e992, _e1018, _e1200);
-                                                                                phi_1606_ = select(_e989, _e1015, _e1200);
-                                                                                phi_1607_ = select(_e1018, _e1005, _e1200);
-                                                                                phi_1608_ = select(_e1015, _e1002, _e1200);
-                                                                                phi_1609_ = select(_e1143, _e1142, _e1205);
-                                                                                phi_1610_ = select(_e1151, _e1147, _e1205);
-                                                                                phi_1611_ = select(_e1147, _e1155, _e1205);
-                                                                                phi_1612_ = select(_e1155, _e1151, _e1205);
+                                                                                let _e1386 = (_e1367 == _e1384);
+                                                                                let _e1391 = vec3(_e1386);
+                                                                                phi_1908_ = select(_e1178, _e1204, _e1386);
+                                                                                phi_1909_ = select(_e1175, _e1201, _e1386);
+                                                                                phi_1910_ = select(_e1204, _e1191, _e1386);
+                                                                                phi_1911_ = select(_e1201, _e1188, _e1386);
+                                                                                phi_1912_ = select(_e1329, _e1328, _e1391);
+                                                                                phi_1913_ = select(_e1337, _e1333, _e1391);
+                                                                                phi_1914_ = select(_e1333, _e1341, _e1391);
+                                                                                phi_1915_ = select(_e1341, _e1337, _e1391);
                                                                             }
-                                                                            let _e1211 = phi_1605_;
-                                                                            let _e1213 = phi_1606_;
-                                                                            let _e1215 = phi_1607_;
-                                                                            let _e1217 = phi_1608_;
-                                                                            let _e1219 = phi_1609_;
-                                                                            let _e1221 = phi_1610_;
-                                                                            let _e1223 = phi_1611_;
-                                                                            let _e1225 = phi_1612_;
-                                                                            let _e1232 = ((_e1223.y * _e1221.z) - (_e1221.y * _e1223.z));
-                                                                            let _e1237 = ((_e1223.z * _e1221.x) - (_e1221.z * _e1223.x));
-                                                                            let _e1240 = ((_e1223.x * _e1221.y) - (_e1221.x * _e1223.y));
-                                                                            if (_e1040 >= _e1044) {
-                                                                                phi_1643_ = select(true, false, (_e1040 >= _e1048));
+                                                                            let _e1397 = phi_1908_;
+                                                                            let _e1399 = phi_1909_;
+                                                                            let _e1401 = phi_1910_;
+                                                                            let _e1403 = phi_1911_;
+                                                                            let _e1405 = phi_1912_;
+                                                                            let _e1407 = phi_1913_;
+                                                                            let _e1409 = phi_1914_;
+                                                                            let _e1411 = phi_1915_;
+                                                                            let _e1418 = ((_e1409.y * _e1407.z) - (_e1407.y * _e1409.z));
+                                                                            let _e1423 = ((_e1409.z * _e1407.x) - (_e1407.z * _e1409.x));
+                                                                            let _e1426 = ((_e1409.x * _e1407.y) - (_e1407.x * _e1409.y));
+                                                                            if (_e1226 >= _e1230) {
+                                                                                phi_1946_ = select(true, false, (_e1226 >= _e1234));
                                                                             } else {
-                                                                                phi_1643_ = true;
+                                                                                phi_1946_ = true;
                                                                             }
-                                                                            let _e1245 = phi_1643_;
-                                                                            if _e1245 {
-                                                                                phi_1652_ = select(_e1143, _e1142, vec3((_e1044 >= _e1048)));
+                                                                            let _e1431 = phi_1946_;
+                                                                            if _e1431 {
+                                                                                phi_1955_ = select(_e1329, _e1328, vec3((_e1230 >= _e1234)));
                                                                             } else {
-                                                                                phi_1652_ = _e1141;
+                                                                                phi_1955_ = _e1327;
                                                                             }
-                                                                            let _e1250 = phi_1652_;
-                                                                            let _e1261 = (((_e1232 * (_e1250.x - _e287)) + (_e1237 * (_e1250.y - _e324))) + (_e1240 * (_e1250.z - _e360)));
-                                                                            let _e1266 = (((_e1232 * _e312) + (_e1237 * _e348)) + (_e1240 * _e384));
-                                                                            let _e1267 = (_e1213 - _e1217);
-                                                                            let _e1268 = (_e1211 - _e1215);
-                                                                            let _e1276 = (-(((_e1217 * _e1267) + (_e1215 * _e1268))) / ((_e1267 * _e1267) + (_e1268 * _e1268)));
-                                                                            let _e1278 = select(1f, _e1276, (_e1276 < 1f));
-                                                                            let _e1280 = select(0f, _e1278, (_e1278 > 0f));
-                                                                            let _e1293 = ((_e1219.x + (_e1225.x * _e1280)) - _e287);
-                                                                            let _e1294 = ((_e1219.y + (_e1225.y * _e1280)) - _e324);
-                                                                            let _e1295 = ((_e1219.z + (_e1225.z * _e1280)) - _e360);
-                                                                            let _e1296 = (_e1295 / _e384);
-                                                                            let _e1308 = bitcast<f32>((bitcast<u32>(_e1293) & 2147483647u));
-                                                                            let _e1311 = bitcast<f32>((bitcast<u32>(_e1294) & 2147483647u));
-                                                                            let _e1313 = select(_e1311, _e1308, (_e1308 > _e1311));
-                                                                            let _e1316 = bitcast<f32>((bitcast<u32>(_e1295) & 2147483647u));
-                                                                            let _e1318 = select(_e1316, _e1313, (_e1313 > _e1316));
-                                                                            let _e1324 = bitcast<f32>((bitcast<u32>(_e1232) & 2147483647u));
-                                                                            let _e1327 = bitcast<f32>((bitcast<u32>(_e1237) & 2147483647u));
-                                                                            let _e1329 = select(_e1327, _e1324, (_e1324 > _e1327));
-                                                                            let _e1332 = bitcast<f32>((bitcast<u32>(_e1240) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1232 * _e1293) + (_e1237 * _e1294)) + (_e1240 * _e1295)) - _e1261)) & 2147483647u)) <= ((0.0000009536743f * select(_e1198, _e1318, (_e1318 > _e1198))) * select(_e1332, _e1329, (_e1329 > _e1332)))) {
-                                                                                let _e1342 = bitcast<f32>((bitcast<u32>(_e1223.x) & 2147483647u));
-                                                                                let _e1345 = bitcast<f32>((bitcast<u32>(_e1223.y) & 2147483647u));
-                                                                                let _e1347 = select(_e1345, _e1342, (_e1342 > _e1345));
-                                                                                let _e1350 = bitcast<f32>((bitcast<u32>(_e1223.z) & 2147483647u));
-                                                                                let _e1356 = bitcast<f32>((bitcast<u32>(_e1221.x) & 2147483647u));
-                                                                                let _e1359 = bitcast<f32>((bitcast<u32>(_e1221.y) & 2147483647u));
-                                                                                let _e1361 = select(_e1359, _e1356, (_e1356 > _e1359));
-                                                                                let _e1364 = bitcast<f32>((bitcast<u32>(_e1221.z) & 2147483647u));
-                                                                                let _e1368 = (bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u)) > ((0.0000038146973f * select(_e1350, _e1347, (_e1347 > _e1350))) * select(_e1364, _e1361, (_e1361 > _e1364))));
-                                                                                if _e1368 {
-                                                                                    phi_1817_ = (_e1261 / _e1266);
+                                                                            let _e1436 = phi_1955_;
+                                                                            let _e1447 = (((_e1418 * (_e1436.x - _e309)) + (_e1423 * (_e1436.y - _e376))) + (_e1426 * (_e1436.z - _e442)));
+                                                                            let _e1452 = (((_e1418 * _e349) + (_e1423 * _e415)) + (_e1426 * _e481));
+                                                                            let _e1453 = (_e1399 - _e1403);
+                                                                            let _e1454 = (_e1397 - _e1401);
+                                                                            let _e1462 = (-(((_e1403 * _e1453) + (_e1401 * _e1454))) / ((_e1453 * _e1453) + (_e1454 * _e1454)));
+                                                                            let _e1464 = select(1f, _e1462, (_e1462 < 1f));
+                                                                            let _e1466 = select(0f, _e1464, (_e1464 > 0f));
+                                                                            let _e1479 = ((_e1405.x + (_e1411.x * _e1466)) - _e309);
+                                                                            let _e1480 = ((_e1405.y + (_e1411.y * _e1466)) - _e376);
+                                                                            let _e1481 = ((_e1405.z + (_e1411.z * _e1466)) - _e442);
+                                                                            let _e1482 = (_e1481 / _e481);
+                                                                            let _e1494 = bitcast<f32>((bitcast<u32>(_e1479) & 2147483647u));
+                                                                            let _e1497 = bitcast<f32>((bitcast<u32>(_e1480) & 2147483647u));
+                                                                            let _e1499 = select(_e1497, _e1494, (_e1494 > _e1497));
+                                                                            let _e1502 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
+                                                                            let _e1504 = select(_e1502, _e1499, (_e1499 > _e1502));
+                                                                            let _e1510 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
+                                                                            let _e1513 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
+                                                                            let _e1515 = select(_e1513, _e1510, (_e1510 > _e1513));
+                                                                            let _e1518 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1418 * _e1479) + (_e1423 * _e1480)) + (_e1426 * _e1481)) - _e1447)) & 2147483647u)) <= ((0.0000009536743f * select(_e1384, _e1504, (_e1504 > _e1384))) * select(_e1518, _e1515, (_e1515 > _e1518)))) {
+                                                                                let _e1528 = bitcast<f32>((bitcast<u32>(_e1409.x) & 2147483647u));
+                                                                                let _e1531 = bitcast<f32>((bitcast<u32>(_e1409.y) & 2147483647u));
+                                                                                let _e1533 = select(_e1531, _e1528, (_e1528 > _e1531));
+                                                                                let _e1536 = bitcast<f32>((bitcast<u32>(_e1409.z) & 2147483647u));
+                                                                                let _e1542 = bitcast<f32>((bitcast<u32>(_e1407.x) & 2147483647u));
+                                                                                let _e1545 = bitcast<f32>((bitcast<u32>(_e1407.y) & 2147483647u));
+                                                                                let _e1547 = select(_e1545, _e1542, (_e1542 > _e1545));
+                                                                                let _e1550 = bitcast<f32>((bitcast<u32>(_e1407.z) & 2147483647u));
+                                                                                let _e1554 = (bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u)) > ((0.0000038146973f * select(_e1536, _e1533, (_e1533 > _e1536))) * select(_e1550, _e1547, (_e1547 > _e1550))));
+                                                                                if _e1554 {
+                                                                                    phi_2120_ = (_e1447 / _e1452);
                                                                                 } else {
-                                                                                    phi_1817_ = f32();
+                                                                                    phi_2120_ = f32();
                                                                                 }
-                                                                                let _e1371 = phi_1817_;
-                                                                                phi_1819_ = _e1371;
-                                                                                phi_1820_ = select(true, false, _e1368);
+                                                                                let _e1557 = phi_2120_;
+                                                                                phi_2122_ = _e1557;
+                                                                                phi_2123_ = select(true, false, _e1554);
                                                                             } else {
-                                                                                phi_1819_ = f32();
-                                                                                phi_1820_ = true;
+                                                                                phi_2122_ = f32();
+                                                                                phi_2123_ = true;
                                                                             }
-                                                                            let _e1374 = phi_1819_;
-                                                                            let _e1376 = phi_1820_;
-                                                                            if _e1376 {
-                                                                                let _e1384 = (((_e1232 * (_e1293 - (_e312 * _e1296))) + (_e1237 * (_e1294 - (_e348 * _e1296)))) / _e1266);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1384) & 2147483647u)) <= _e1198) {
-                                                                                    phi_1840_ = (_e1296 + _e1384);
+                                                                            let _e1560 = phi_2122_;
+                                                                            let _e1562 = phi_2123_;
+                                                                            if _e1562 {
+                                                                                let _e1570 = (((_e1418 * (_e1479 - (_e349 * _e1482))) + (_e1423 * (_e1480 - (_e415 * _e1482)))) / _e1452);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1570) & 2147483647u)) <= _e1384) {
+                                                                                    phi_2143_ = (_e1482 + _e1570);
                                                                                 } else {
-                                                                                    phi_1840_ = _e1296;
+                                                                                    phi_2143_ = _e1482;
                                                                                 }
-                                                                                let _e1391 = phi_1840_;
-                                                                                phi_1841_ = _e1391;
+                                                                                let _e1577 = phi_2143_;
+                                                                                phi_2144_ = _e1577;
                                                                             } else {
-                                                                                phi_1841_ = _e1374;
+                                                                                phi_2144_ = _e1560;
                                                                             }
-                                                                            let _e1393 = phi_1841_;
-                                                                            let _e1395 = select(_e1131, _e1393, (_e1393 < _e1131));
-                                                                            let _e1397 = select(_e1123, _e1395, (_e1395 > _e1123));
-                                                                            if (_e1397 >= _e433) {
-                                                                                let _e1399 = (_e1397 <= _e875.member.member_1);
-                                                                                if _e1399 {
-                                                                                    let _e1400 = (1f / _e1050);
-                                                                                    phi_1864_ = type_23(_e1397, (_e1044 * _e1400), (_e1048 * _e1400), _e910);
+                                                                            let _e1579 = phi_2144_;
+                                                                            let _e1581 = select(_e1317, _e1579, (_e1579 < _e1317));
+                                                                            let _e1583 = select(_e1309, _e1581, (_e1581 > _e1309));
+                                                                            if (_e1583 >= _e595) {
+                                                                                let _e1585 = (_e1583 <= _e1061.member.member_1);
+                                                                                if _e1585 {
+                                                                                    let _e1586 = (1f / _e1236);
+                                                                                    phi_2167_ = type_23(_e1583, (_e1230 * _e1586), (_e1234 * _e1586), _e1096);
                                                                                 } else {
-                                                                                    phi_1864_ = type_23();
+                                                                                    phi_2167_ = type_23();
                                                                                 }
-                                                                                let _e1405 = phi_1864_;
-                                                                                phi_1866_ = _e1405;
-                                                                                phi_1867_ = select(true, false, _e1399);
+                                                                                let _e1591 = phi_2167_;
+                                                                                phi_2169_ = _e1591;
+                                                                                phi_2170_ = select(true, false, _e1585);
                                                                             } else {
-                                                                                phi_1866_ = type_23();
-                                                                                phi_1867_ = true;
+                                                                                phi_2169_ = type_23();
+                                                                                phi_2170_ = true;
                                                                             }
-                                                                            let _e1408 = phi_1866_;
-                                                                            let _e1410 = phi_1867_;
-                                                                            if _e1410 {
-                                                                                phi_1871_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e1594 = phi_2169_;
+                                                                            let _e1596 = phi_2170_;
+                                                                            if _e1596 {
+                                                                                phi_2174_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_1871_ = _e1408;
+                                                                                phi_2174_ = _e1594;
                                                                             }
-                                                                            let _e1412 = phi_1871_;
-                                                                            phi_1872_ = _e1412;
+                                                                            let _e1598 = phi_2174_;
+                                                                            phi_2175_ = _e1598;
                                                                         }
-                                                                        let _e1414 = phi_1872_;
-                                                                        phi_1873_ = _e1414;
-                                                                        phi_1874_ = _e1140;
+                                                                        let _e1600 = phi_2175_;
+                                                                        phi_2176_ = _e1600;
+                                                                        phi_2177_ = _e1326;
                                                                     }
-                                                                    let _e1416 = phi_1873_;
-                                                                    let _e1418 = phi_1874_;
-                                                                    phi_1878_ = _e1416;
-                                                                    phi_1879_ = _e1418;
+                                                                    let _e1602 = phi_2176_;
+                                                                    let _e1604 = phi_2177_;
+                                                                    phi_2181_ = _e1602;
+                                                                    phi_2182_ = _e1604;
                                                                 }
-                                                                let _e1420 = phi_1878_;
-                                                                let _e1422 = phi_1879_;
-                                                                phi_1880_ = _e1420;
-                                                                phi_1881_ = _e1075;
-                                                                phi_1882_ = _e1422;
+                                                                let _e1606 = phi_2181_;
+                                                                let _e1608 = phi_2182_;
+                                                                phi_2183_ = _e1606;
+                                                                phi_2184_ = _e1261;
+                                                                phi_2185_ = _e1608;
                                                             }
-                                                            let _e1424 = phi_1880_;
-                                                            let _e1426 = phi_1881_;
-                                                            let _e1428 = phi_1882_;
-                                                            phi_1883_ = _e1424;
-                                                            phi_1884_ = _e1426;
-                                                            phi_1885_ = _e1428;
+                                                            let _e1610 = phi_2183_;
+                                                            let _e1612 = phi_2184_;
+                                                            let _e1614 = phi_2185_;
+                                                            phi_2186_ = _e1610;
+                                                            phi_2187_ = _e1612;
+                                                            phi_2188_ = _e1614;
                                                         }
-                                                        let _e1430 = phi_1883_;
-                                                        let _e1432 = phi_1884_;
-                                                        let _e1434 = phi_1885_;
-                                                        phi_1893_ = _e1430;
-                                                        phi_1894_ = select(_e1434, true, _e1432);
+                                                        let _e1616 = phi_2186_;
+                                                        let _e1618 = phi_2187_;
+                                                        let _e1620 = phi_2188_;
+                                                        phi_2196_ = _e1616;
+                                                        phi_2197_ = select(_e1620, true, _e1618);
                                                     } else {
-                                                        phi_1893_ = type_23();
-                                                        phi_1894_ = true;
+                                                        phi_2196_ = type_23();
+                                                        phi_2197_ = true;
                                                     }
-                                                    let _e1437 = phi_1893_;
-                                                    let _e1439 = phi_1894_;
-                                                    if _e1439 {
-                                                        phi_1898_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1623 = phi_2196_;
+                                                    let _e1625 = phi_2197_;
+                                                    if _e1625 {
+                                                        phi_2201_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1898_ = _e1437;
+                                                        phi_2201_ = _e1623;
                                                     }
-                                                    let _e1441 = phi_1898_;
-                                                    if (_e1441.member_3 != 4294967295u) {
-                                                        if (_e910 != _e439) {
-                                                            if (_e1441.member < _e875.member.member.member) {
-                                                                phi_1924_ = true;
+                                                    let _e1627 = phi_2201_;
+                                                    if (_e1627.member_3 != 4294967295u) {
+                                                        if (_e1096 != _e601) {
+                                                            if (_e1627.member < _e1061.member.member.member) {
+                                                                phi_2227_ = true;
                                                             } else {
-                                                                if (_e1441.member == _e875.member.member.member) {
-                                                                    phi_1923_ = (_e1441.member_3 < _e875.member.member.member_3);
+                                                                if (_e1627.member == _e1061.member.member.member) {
+                                                                    phi_2226_ = (_e1627.member_3 < _e1061.member.member.member_3);
                                                                 } else {
-                                                                    phi_1923_ = false;
+                                                                    phi_2226_ = false;
                                                                 }
-                                                                let _e1456 = phi_1923_;
-                                                                phi_1924_ = _e1456;
+                                                                let _e1642 = phi_2226_;
+                                                                phi_2227_ = _e1642;
                                                             }
-                                                            let _e1458 = phi_1924_;
-                                                            if _e1458 {
-                                                                phi_1931_ = type_41(type_38(_e1441, _e1441.member), _e902.member_1, _e902.member_2);
+                                                            let _e1644 = phi_2227_;
+                                                            if _e1644 {
+                                                                phi_2234_ = type_41(type_38(_e1627, _e1627.member), _e1088.member_1, _e1088.member_2);
                                                             } else {
-                                                                phi_1931_ = _e902;
+                                                                phi_2234_ = _e1088;
                                                             }
-                                                            let _e1465 = phi_1931_;
-                                                            phi_1932_ = _e1465;
+                                                            let _e1651 = phi_2234_;
+                                                            phi_2235_ = _e1651;
                                                         } else {
-                                                            phi_1932_ = _e902;
+                                                            phi_2235_ = _e1088;
                                                         }
-                                                        let _e1467 = phi_1932_;
-                                                        phi_1933_ = _e1467;
+                                                        let _e1653 = phi_2235_;
+                                                        phi_2236_ = _e1653;
                                                     } else {
-                                                        phi_1933_ = _e902;
+                                                        phi_2236_ = _e1088;
                                                     }
-                                                    let _e1469 = phi_1933_;
-                                                    phi_920_ = _e1469;
+                                                    let _e1655 = phi_2236_;
+                                                    phi_1223_ = _e1655;
                                                 } else {
-                                                    phi_920_ = type_41();
+                                                    phi_1223_ = type_41();
                                                 }
-                                                let _e1471 = phi_920_;
+                                                let _e1657 = phi_1223_;
                                                 continue;
                                                 continuing {
-                                                    phi_919_ = _e1471;
-                                                    phi_922_ = _e890;
-                                                    phi_3110_ = _e470;
-                                                    break if !(_e896);
+                                                    phi_1222_ = _e1657;
+                                                    phi_1225_ = _e1076;
+                                                    phi_3535_ = _e632;
+                                                    break if !(_e1082);
                                                 }
                                             }
-                                            let _e1474 = phi_3110_;
-                                            phi_3252_ = _e1474;
-                                            if _e1474 {
+                                            let _e1660 = phi_3535_;
+                                            phi_3695_ = _e1660;
+                                            if _e1660 {
                                                 break;
                                             }
-                                            phi_3256_ = _e1474;
-                                            let _e1703 = local_12;
-                                            phi_2885_ = _e1703;
-                                            phi_2886_ = _e512;
-                                            phi_2887_ = false;
-                                            phi_2888_ = _e516;
+                                            phi_3699_ = _e1660;
+                                            let _e1988 = local_12;
+                                            phi_3212_ = _e1988;
+                                            phi_3213_ = _e674;
+                                            phi_3214_ = false;
+                                            phi_3215_ = _e678;
                                         } else {
-                                            let _e531 = (_e512.member_1 < _e83);
-                                            if _e531 {
-                                                if _e531 {
+                                            let _e693 = (_e674.member_1 < _e90);
+                                            if _e693 {
+                                                if _e693 {
                                                 } else {
-                                                    phi_3252_ = true;
+                                                    phi_3695_ = true;
                                                     break;
                                                 }
-                                                let _e533 = global_7.member[_e512.member_1];
-                                                phi_1955_ = _e533;
+                                                let _e695 = global_7.member[_e674.member_1];
+                                                phi_2258_ = _e695;
                                             } else {
-                                                phi_1955_ = type_45(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2258_ = type_45(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e535 = phi_1955_;
-                                            let _e550 = ((10u * _e255) & 31u);
-                                            let _e553 = ((_e535.member[0] >> bitcast<u32>(_e550)) & 1023u);
-                                            let _e558 = bitcast<f32>((bitcast<u32>(((_e512.member.member_1[0] - _e512.member.member[0]) * 0.0009775171f)) ^ _e121));
-                                            let _e564 = (_e512.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e553) * _e558)) ^ _e121)));
-                                            let _e568 = select(select(_e512.member.member_1[0], _e564, (_e564 < _e512.member.member_1[0])), _e512.member.member_1[0], (_e553 == 1023u));
-                                            let _e570 = ((10u * _e254) & 31u);
-                                            let _e573 = ((_e535.member[0] >> bitcast<u32>(_e570)) & 1023u);
-                                            let _e578 = bitcast<f32>((bitcast<u32>(((_e512.member.member_1[1] - _e512.member.member[1]) * 0.0009775171f)) ^ _e121));
-                                            let _e584 = (_e512.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e573) * _e578)) ^ _e121)));
-                                            let _e588 = select(select(_e512.member.member_1[1], _e584, (_e584 < _e512.member.member_1[1])), _e512.member.member_1[1], (_e573 == 1023u));
-                                            let _e590 = ((10u * _e256) & 31u);
-                                            let _e593 = ((_e535.member[0] >> bitcast<u32>(_e590)) & 1023u);
-                                            let _e598 = bitcast<f32>((bitcast<u32>(((_e512.member.member_1[2] - _e512.member.member[2]) * 0.0009775171f)) ^ _e121));
-                                            let _e604 = (_e512.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e593) * _e598)) ^ _e121)));
-                                            let _e608 = select(select(_e512.member.member_1[2], _e604, (_e604 < _e512.member.member_1[2])), _e512.member.member_1[2], (_e593 == 1023u));
-                                            let _e611 = ((_e535.member[1] >> bitcast<u32>(_e550)) & 1023u);
-                                            let _e617 = (_e512.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e611) * _e558)) ^ _e121)));
-                                            let _e621 = select(select(_e512.member.member_1[0], _e617, (_e617 < _e512.member.member_1[0])), _e512.member.member_1[0], (_e611 == 1023u));
-                                            let _e624 = ((_e535.member[1] >> bitcast<u32>(_e570)) & 1023u);
-                                            let _e630 = (_e512.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e624) * _e578)) ^ _e121)));
-                                            let _e634 = select(select(_e512.member.member_1[1], _e630, (_e630 < _e512.member.member_1[1])), _e512.member.member_1[1], (_e624 == 1023u));
-                                            let _e637 = ((_e535.member[1] >> bitcast<u32>(_e590)) & 1023u);
-                                            let _e643 = (_e512.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e637) * _e598)) ^ _e121)));
-                                            let _e647 = select(select(_e512.member.member_1[2], _e643, (_e643 < _e512.member.member_1[2])), _e512.member.member_1[2], (_e637 == 1023u));
-                                            let _e653 = ((_e535.member_1[0] >> bitcast<u32>(_e550)) & 1023u);
-                                            let _e659 = (_e512.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e653) * _e558)) ^ _e121)));
-                                            let _e663 = select(select(_e512.member.member_1[0], _e659, (_e659 < _e512.member.member_1[0])), _e512.member.member_1[0], (_e653 == 1023u));
-                                            let _e666 = ((_e535.member_1[0] >> bitcast<u32>(_e570)) & 1023u);
-                                            let _e672 = (_e512.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e666) * _e578)) ^ _e121)));
-                                            let _e676 = select(select(_e512.member.member_1[1], _e672, (_e672 < _e512.member.member_1[1])), _e512.member.member_1[1], (_e666 == 1023u));
-                                            let _e679 = ((_e535.member_1[0] >> bitcast<u32>(_e590)) & 1023u);
-                                            let _e685 = (_e512.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e679) * _e598)) ^ _e121)));
-                                            let _e689 = select(select(_e512.member.member_1[2], _e685, (_e685 < _e512.member.member_1[2])), _e512.member.member_1[2], (_e679 == 1023u));
-                                            let _e692 = ((_e535.member_1[1] >> bitcast<u32>(_e550)) & 1023u);
-                                            let _e698 = (_e512.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e692) * _e558)) ^ _e121)));
-                                            let _e702 = select(select(_e512.member.member_1[0], _e698, (_e698 < _e512.member.member_1[0])), _e512.member.member_1[0], (_e692 == 1023u));
-                                            let _e705 = ((_e535.member_1[1] >> bitcast<u32>(_e570)) & 1023u);
-                                            let _e711 = (_e512.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e705) * _e578)) ^ _e121)));
-                                            let _e715 = select(select(_e512.member.member_1[1], _e711, (_e711 < _e512.member.member_1[1])), _e512.member.member_1[1], (_e705 == 1023u));
-                                            let _e718 = ((_e535.member_1[1] >> bitcast<u32>(_e590)) & 1023u);
-                                            let _e724 = (_e512.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e718) * _e598)) ^ _e121)));
-                                            let _e728 = select(select(_e512.member.member_1[2], _e724, (_e724 < _e512.member.member_1[2])), _e512.member.member_1[2], (_e718 == 1023u));
-                                            let _e733 = type_52(type_50(array<f32, 3>(_e568, _e588, _e608), array<f32, 3>(_e621, _e634, _e647)), _e535.member_2);
-                                            let _e738 = type_52(type_50(array<f32, 3>(_e663, _e676, _e689), array<f32, 3>(_e702, _e715, _e728)), _e535.member_3);
-                                            let _e745 = ((_e568 - _e310) * _e315);
-                                            let _e746 = ((_e663 - _e310) * _e315);
-                                            let _e747 = ((_e621 - _e311) * _e315);
-                                            let _e748 = ((_e702 - _e311) * _e315);
-                                            let _e753 = ((_e588 - _e346) * _e351);
-                                            let _e754 = ((_e676 - _e346) * _e351);
-                                            let _e755 = ((_e634 - _e347) * _e351);
-                                            let _e756 = ((_e715 - _e347) * _e351);
-                                            let _e761 = ((_e608 - _e382) * _e387);
-                                            let _e762 = ((_e689 - _e382) * _e387);
-                                            let _e763 = ((_e647 - _e383) * _e387);
-                                            let _e764 = ((_e728 - _e383) * _e387);
-                                            let _e766 = select(_e763, _e761, (_e761 < _e763));
-                                            let _e768 = select(_e764, _e762, (_e762 < _e764));
-                                            let _e770 = select(_e763, _e761, (_e761 > _e763));
-                                            let _e772 = select(_e764, _e762, (_e762 > _e764));
-                                            let _e774 = select(_e747, _e745, (_e745 < _e747));
-                                            let _e776 = select(_e748, _e746, (_e746 < _e748));
-                                            let _e778 = select(_e755, _e753, (_e753 < _e755));
-                                            let _e780 = select(_e756, _e754, (_e754 < _e756));
-                                            let _e782 = select(_e778, _e774, (_e774 > _e778));
-                                            let _e784 = select(_e780, _e776, (_e776 > _e780));
-                                            let _e786 = select(_e766, _e782, (_e782 > _e766));
-                                            let _e788 = select(_e768, _e784, (_e784 > _e768));
-                                            let _e790 = select(_e747, _e745, (_e745 > _e747));
-                                            let _e792 = select(_e748, _e746, (_e746 > _e748));
-                                            let _e794 = select(_e755, _e753, (_e753 > _e755));
-                                            let _e796 = select(_e756, _e754, (_e754 > _e756));
-                                            let _e798 = select(_e794, _e790, (_e790 < _e794));
-                                            let _e800 = select(_e796, _e792, (_e792 < _e796));
-                                            let _e805 = -(_e766);
-                                            let _e806 = -(_e768);
-                                            let _e813 = (select(_e770, _e798, (_e798 < _e770)) + (select(_e805, _e770, (_e770 > _e805)) * 0.0000019073523f));
-                                            let _e814 = (select(_e772, _e800, (_e800 < _e772)) + (select(_e806, _e772, (_e772 > _e806)) * 0.0000019073523f));
-                                            let _e816 = select(_e433, _e786, (_e786 > _e433));
-                                            let _e818 = select(_e433, _e788, (_e788 > _e433));
-                                            let _e823 = (_e816 <= select(_e472.member.member_1, _e813, (_e813 < _e472.member.member_1)));
-                                            let _e824 = (_e818 <= select(_e472.member.member_1, _e814, (_e814 < _e472.member.member_1)));
-                                            let _e825 = (_e816 <= _e818);
-                                            if _e823 {
-                                                if _e824 {
-                                                    if _e825 {
-                                                        phi_2787_ = _e738;
+                                            let _e697 = phi_2258_;
+                                            let _e712 = ((10u * _e262) & 31u);
+                                            let _e715 = ((_e697.member[0] >> bitcast<u32>(_e712)) & 1023u);
+                                            let _e723 = bitcast<f32>((bitcast<u32>(((_e674.member.member_1[0] - _e674.member.member[0]) * 0.0009775171f)) ^ _e128));
+                                            let _e728 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e715)) - 8388608f) * _e723)) ^ _e128)));
+                                            let _e732 = select(select(_e674.member.member_1[0], _e728, (_e728 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e715 == 1023u));
+                                            let _e734 = ((10u * _e261) & 31u);
+                                            let _e737 = ((_e697.member[0] >> bitcast<u32>(_e734)) & 1023u);
+                                            let _e745 = bitcast<f32>((bitcast<u32>(((_e674.member.member_1[1] - _e674.member.member[1]) * 0.0009775171f)) ^ _e128));
+                                            let _e750 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e737)) - 8388608f) * _e745)) ^ _e128)));
+                                            let _e754 = select(select(_e674.member.member_1[1], _e750, (_e750 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e737 == 1023u));
+                                            let _e756 = ((10u * _e263) & 31u);
+                                            let _e759 = ((_e697.member[0] >> bitcast<u32>(_e756)) & 1023u);
+                                            let _e767 = bitcast<f32>((bitcast<u32>(((_e674.member.member_1[2] - _e674.member.member[2]) * 0.0009775171f)) ^ _e128));
+                                            let _e772 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e759)) - 8388608f) * _e767)) ^ _e128)));
+                                            let _e776 = select(select(_e674.member.member_1[2], _e772, (_e772 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e759 == 1023u));
+                                            let _e779 = ((_e697.member[1] >> bitcast<u32>(_e712)) & 1023u);
+                                            let _e787 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e779)) - 8388608f) * _e723)) ^ _e128)));
+                                            let _e791 = select(select(_e674.member.member_1[0], _e787, (_e787 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e779 == 1023u));
+                                            let _e794 = ((_e697.member[1] >> bitcast<u32>(_e734)) & 1023u);
+                                            let _e802 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e794)) - 8388608f) * _e745)) ^ _e128)));
+                                            let _e806 = select(select(_e674.member.member_1[1], _e802, (_e802 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e794 == 1023u));
+                                            let _e809 = ((_e697.member[1] >> bitcast<u32>(_e756)) & 1023u);
+                                            let _e817 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e809)) - 8388608f) * _e767)) ^ _e128)));
+                                            let _e821 = select(select(_e674.member.member_1[2], _e817, (_e817 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e809 == 1023u));
+                                            let _e827 = ((_e697.member_1[0] >> bitcast<u32>(_e712)) & 1023u);
+                                            let _e835 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e827)) - 8388608f) * _e723)) ^ _e128)));
+                                            let _e839 = select(select(_e674.member.member_1[0], _e835, (_e835 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e827 == 1023u));
+                                            let _e842 = ((_e697.member_1[0] >> bitcast<u32>(_e734)) & 1023u);
+                                            let _e850 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e842)) - 8388608f) * _e745)) ^ _e128)));
+                                            let _e854 = select(select(_e674.member.member_1[1], _e850, (_e850 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e842 == 1023u));
+                                            let _e857 = ((_e697.member_1[0] >> bitcast<u32>(_e756)) & 1023u);
+                                            let _e865 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e857)) - 8388608f) * _e767)) ^ _e128)));
+                                            let _e869 = select(select(_e674.member.member_1[2], _e865, (_e865 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e857 == 1023u));
+                                            let _e872 = ((_e697.member_1[1] >> bitcast<u32>(_e712)) & 1023u);
+                                            let _e880 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e872)) - 8388608f) * _e723)) ^ _e128)));
+                                            let _e884 = select(select(_e674.member.member_1[0], _e880, (_e880 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e872 == 1023u));
+                                            let _e887 = ((_e697.member_1[1] >> bitcast<u32>(_e734)) & 1023u);
+                                            let _e895 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e887)) - 8388608f) * _e745)) ^ _e128)));
+                                            let _e899 = select(select(_e674.member.member_1[1], _e895, (_e895 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e887 == 1023u));
+                                            let _e902 = ((_e697.member_1[1] >> bitcast<u32>(_e756)) & 1023u);
+                                            let _e910 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e902)) - 8388608f) * _e767)) ^ _e128)));
+                                            let _e914 = select(select(_e674.member.member_1[2], _e910, (_e910 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e902 == 1023u));
+                                            let _e919 = type_52(type_50(array<f32, 3>(_e732, _e754, _e776), array<f32, 3>(_e791, _e806, _e821)), _e697.member_2);
+                                            let _e924 = type_52(type_50(array<f32, 3>(_e839, _e854, _e869), array<f32, 3>(_e884, _e899, _e914)), _e697.member_3);
+                                            let _e931 = ((_e732 - _e347) * _e352);
+                                            let _e932 = ((_e839 - _e347) * _e352);
+                                            let _e933 = ((_e791 - _e348) * _e352);
+                                            let _e934 = ((_e884 - _e348) * _e352);
+                                            let _e939 = ((_e754 - _e413) * _e418);
+                                            let _e940 = ((_e854 - _e413) * _e418);
+                                            let _e941 = ((_e806 - _e414) * _e418);
+                                            let _e942 = ((_e899 - _e414) * _e418);
+                                            let _e947 = ((_e776 - _e479) * _e484);
+                                            let _e948 = ((_e869 - _e479) * _e484);
+                                            let _e949 = ((_e821 - _e480) * _e484);
+                                            let _e950 = ((_e914 - _e480) * _e484);
+                                            let _e952 = select(_e949, _e947, (_e947 < _e949));
+                                            let _e954 = select(_e950, _e948, (_e948 < _e950));
+                                            let _e956 = select(_e949, _e947, (_e947 > _e949));
+                                            let _e958 = select(_e950, _e948, (_e948 > _e950));
+                                            let _e960 = select(_e933, _e931, (_e931 < _e933));
+                                            let _e962 = select(_e934, _e932, (_e932 < _e934));
+                                            let _e964 = select(_e941, _e939, (_e939 < _e941));
+                                            let _e966 = select(_e942, _e940, (_e940 < _e942));
+                                            let _e968 = select(_e964, _e960, (_e960 > _e964));
+                                            let _e970 = select(_e966, _e962, (_e962 > _e966));
+                                            let _e972 = select(_e952, _e968, (_e968 > _e952));
+                                            let _e974 = select(_e954, _e970, (_e970 > _e954));
+                                            let _e976 = select(_e933, _e931, (_e931 > _e933));
+                                            let _e978 = select(_e934, _e932, (_e932 > _e934));
+                                            let _e980 = select(_e941, _e939, (_e939 > _e941));
+                                            let _e982 = select(_e942, _e940, (_e940 > _e942));
+                                            let _e984 = select(_e980, _e976, (_e976 < _e980));
+                                            let _e986 = select(_e982, _e978, (_e978 < _e982));
+                                            let _e991 = -(_e952);
+                                            let _e992 = -(_e954);
+                                            let _e999 = (select(_e956, _e984, (_e984 < _e956)) + (select(_e991, _e956, (_e956 > _e991)) * 0.0000019073523f));
+                                            let _e1000 = (select(_e958, _e986, (_e986 < _e958)) + (select(_e992, _e958, (_e958 > _e992)) * 0.0000019073523f));
+                                            let _e1002 = select(_e595, _e972, (_e972 > _e595));
+                                            let _e1004 = select(_e595, _e974, (_e974 > _e595));
+                                            let _e1009 = (_e1002 <= select(_e634.member.member_1, _e999, (_e999 < _e634.member.member_1)));
+                                            let _e1010 = (_e1004 <= select(_e634.member.member_1, _e1000, (_e1000 < _e634.member.member_1)));
+                                            let _e1011 = (_e1002 <= _e1004);
+                                            if _e1009 {
+                                                if _e1010 {
+                                                    if _e1011 {
+                                                        phi_3114_ = _e924;
                                                     } else {
-                                                        phi_2787_ = _e733;
+                                                        phi_3114_ = _e919;
                                                     }
-                                                    let _e827 = phi_2787_;
-                                                    let _e835 = (_e516 % 128u);
-                                                    let _e836 = (_e835 < 128u);
-                                                    if _e836 {
+                                                    let _e1013 = phi_3114_;
+                                                    let _e1021 = (_e678 % 128u);
+                                                    let _e1022 = (_e1021 < 128u);
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3695_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e835] = _e827.member_1;
-                                                    if _e836 {
+                                                    local_6[_e1021] = _e1013.member_1;
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3695_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e835] = _e827.member.member[0];
-                                                    if _e836 {
+                                                    local_5[_e1021] = _e1013.member.member[0];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3695_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e835] = _e827.member.member[1];
-                                                    if _e836 {
+                                                    local_4[_e1021] = _e1013.member.member[1];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3695_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e835] = _e827.member.member[2];
-                                                    if _e836 {
+                                                    local_3[_e1021] = _e1013.member.member[2];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3695_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e835] = _e827.member.member_1[0];
-                                                    if _e836 {
+                                                    local_2[_e1021] = _e1013.member.member_1[0];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3695_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e835] = _e827.member.member_1[1];
-                                                    if _e836 {
+                                                    local_1[_e1021] = _e1013.member.member_1[1];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3695_ = true;
                                                         break;
                                                     }
-                                                    local[_e835] = _e827.member.member_1[2];
-                                                    if _e836 {
+                                                    local[_e1021] = _e1013.member.member_1[2];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3695_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e835] = select(_e818, _e816, (_e816 > _e818));
-                                                    if _e825 {
-                                                        phi_2864_ = _e733;
+                                                    local_7[_e1021] = select(_e1004, _e1002, (_e1002 > _e1004));
+                                                    if _e1011 {
+                                                        phi_3191_ = _e919;
                                                     } else {
-                                                        phi_2864_ = _e738;
+                                                        phi_3191_ = _e924;
                                                     }
-                                                    let _e853 = phi_2864_;
-                                                    phi_2865_ = _e853;
-                                                    phi_2866_ = (_e516 + 1u);
+                                                    let _e1039 = phi_3191_;
+                                                    phi_3192_ = _e1039;
+                                                    phi_3193_ = (_e678 + 1u);
                                                 } else {
-                                                    phi_2865_ = type_52();
-                                                    phi_2866_ = u32();
+                                                    phi_3192_ = type_52();
+                                                    phi_3193_ = u32();
                                                 }
-                                                let _e855 = phi_2865_;
-                                                let _e857 = phi_2866_;
-                                                phi_2868_ = _e855;
-                                                phi_2869_ = _e857;
-                                                phi_2870_ = select(true, false, _e824);
+                                                let _e1041 = phi_3192_;
+                                                let _e1043 = phi_3193_;
+                                                phi_3195_ = _e1041;
+                                                phi_3196_ = _e1043;
+                                                phi_3197_ = select(true, false, _e1010);
                                             } else {
-                                                phi_2868_ = type_52();
-                                                phi_2869_ = u32();
-                                                phi_2870_ = true;
+                                                phi_3195_ = type_52();
+                                                phi_3196_ = u32();
+                                                phi_3197_ = true;
                                             }
-                                            let _e860 = phi_2868_;
-                                            let _e862 = phi_2869_;
-                                            let _e864 = phi_2870_;
-                                            if _e864 {
-                                                if _e823 {
-                                                    phi_2877_ = _e733;
+                                            let _e1046 = phi_3195_;
+                                            let _e1048 = phi_3196_;
+                                            let _e1050 = phi_3197_;
+                                            if _e1050 {
+                                                if _e1009 {
+                                                    phi_3204_ = _e919;
                                                 } else {
-                                                    phi_2877_ = _e738;
+                                                    phi_3204_ = _e924;
                                                 }
-                                                let _e866 = phi_2877_;
-                                                phi_2882_ = _e866;
-                                                phi_2883_ = select(_e824, true, _e823);
+                                                let _e1052 = phi_3204_;
+                                                phi_3209_ = _e1052;
+                                                phi_3210_ = select(_e1010, true, _e1009);
                                             } else {
-                                                phi_2882_ = _e860;
-                                                phi_2883_ = _e514;
+                                                phi_3209_ = _e1046;
+                                                phi_3210_ = _e676;
                                             }
-                                            let _e869 = phi_2882_;
-                                            let _e871 = phi_2883_;
-                                            phi_3256_ = _e470;
-                                            phi_2885_ = type_41(_e472.member, (_e472.member_1 + 1u), _e472.member_2);
-                                            phi_2886_ = _e869;
-                                            phi_2887_ = _e871;
-                                            phi_2888_ = select(_e862, _e516, _e864);
+                                            let _e1055 = phi_3209_;
+                                            let _e1057 = phi_3210_;
+                                            phi_3699_ = _e632;
+                                            phi_3212_ = type_41(_e634.member, (_e634.member_1 + 1u), _e634.member_2);
+                                            phi_3213_ = _e1055;
+                                            phi_3214_ = _e1057;
+                                            phi_3215_ = select(_e1048, _e678, _e1050);
                                         }
-                                        let _e1476 = phi_3256_;
-                                        let _e1478 = phi_2885_;
-                                        let _e1480 = phi_2886_;
-                                        let _e1482 = phi_2887_;
-                                        let _e1484 = phi_2888_;
-                                        phi_3255_ = _e1476;
-                                        phi_2889_ = _e1478;
-                                        phi_2890_ = _e1480;
-                                        phi_2891_ = (_e476 - 1u);
-                                        phi_2892_ = _e1482;
-                                        phi_2893_ = _e1484;
+                                        let _e1662 = phi_3699_;
+                                        let _e1664 = phi_3212_;
+                                        let _e1666 = phi_3213_;
+                                        let _e1668 = phi_3214_;
+                                        let _e1670 = phi_3215_;
+                                        phi_3698_ = _e1662;
+                                        phi_3216_ = _e1664;
+                                        phi_3217_ = _e1666;
+                                        phi_3218_ = (_e638 - 1u);
+                                        phi_3219_ = _e1668;
+                                        phi_3220_ = _e1670;
                                     } else {
-                                        phi_3255_ = _e470;
-                                        phi_2889_ = _e472;
-                                        phi_2890_ = _e512;
-                                        phi_2891_ = _e476;
-                                        phi_2892_ = _e514;
-                                        phi_2893_ = _e516;
+                                        phi_3698_ = _e632;
+                                        phi_3216_ = _e634;
+                                        phi_3217_ = _e674;
+                                        phi_3218_ = _e638;
+                                        phi_3219_ = _e676;
+                                        phi_3220_ = _e678;
                                     }
-                                    let _e1486 = phi_3255_;
-                                    let _e1488 = phi_2889_;
-                                    let _e1490 = phi_2890_;
-                                    let _e1492 = phi_2891_;
-                                    let _e1494 = phi_2892_;
-                                    let _e1496 = phi_2893_;
-                                    phi_3254_ = _e1486;
-                                    phi_2894_ = _e1488;
-                                    phi_2895_ = _e1490;
-                                    phi_2896_ = _e1492;
-                                    phi_2897_ = _e1494;
-                                    phi_2898_ = _e1496;
+                                    let _e1672 = phi_3698_;
+                                    let _e1674 = phi_3216_;
+                                    let _e1676 = phi_3217_;
+                                    let _e1678 = phi_3218_;
+                                    let _e1680 = phi_3219_;
+                                    let _e1682 = phi_3220_;
+                                    phi_3697_ = _e1672;
+                                    phi_3221_ = _e1674;
+                                    phi_3222_ = _e1676;
+                                    phi_3223_ = _e1678;
+                                    phi_3224_ = _e1680;
+                                    phi_3225_ = _e1682;
                                 } else {
-                                    phi_3254_ = _e470;
-                                    phi_2894_ = type_41();
-                                    phi_2895_ = type_52();
-                                    phi_2896_ = u32();
-                                    phi_2897_ = bool();
-                                    phi_2898_ = u32();
+                                    phi_3697_ = _e632;
+                                    phi_3221_ = type_41();
+                                    phi_3222_ = type_52();
+                                    phi_3223_ = u32();
+                                    phi_3224_ = bool();
+                                    phi_3225_ = u32();
                                 }
-                                let _e1498 = phi_3254_;
-                                let _e1500 = phi_2894_;
-                                let _e1502 = phi_2895_;
-                                let _e1504 = phi_2896_;
-                                let _e1506 = phi_2897_;
-                                let _e1508 = phi_2898_;
-                                phi_3253_ = _e1498;
-                                phi_794_ = _e1500;
-                                phi_797_ = _e1502;
-                                phi_799_ = _e1504;
-                                phi_801_ = _e1506;
-                                phi_803_ = _e1508;
-                                phi_2899_ = _e484;
+                                let _e1684 = phi_3697_;
+                                let _e1686 = phi_3221_;
+                                let _e1688 = phi_3222_;
+                                let _e1690 = phi_3223_;
+                                let _e1692 = phi_3224_;
+                                let _e1694 = phi_3225_;
+                                phi_3696_ = _e1684;
+                                phi_1097_ = _e1686;
+                                phi_1100_ = _e1688;
+                                phi_1102_ = _e1690;
+                                phi_1104_ = _e1692;
+                                phi_1106_ = _e1694;
+                                phi_3226_ = _e646;
                             } else {
-                                phi_3253_ = _e470;
-                                phi_794_ = type_41();
-                                phi_797_ = type_52();
-                                phi_799_ = u32();
-                                phi_801_ = bool();
-                                phi_803_ = u32();
-                                phi_2899_ = false;
+                                phi_3696_ = _e632;
+                                phi_1097_ = type_41();
+                                phi_1100_ = type_52();
+                                phi_1102_ = u32();
+                                phi_1104_ = bool();
+                                phi_1106_ = u32();
+                                phi_3226_ = false;
                             }
-                            let _e1510 = phi_3253_;
-                            let _e1512 = phi_794_;
-                            let _e1514 = phi_797_;
-                            let _e1516 = phi_799_;
-                            let _e1518 = phi_801_;
-                            let _e1520 = phi_803_;
-                            let _e1522 = phi_2899_;
+                            let _e1696 = phi_3696_;
+                            let _e1698 = phi_1097_;
+                            let _e1700 = phi_1100_;
+                            let _e1702 = phi_1102_;
+                            let _e1704 = phi_1104_;
+                            let _e1706 = phi_1106_;
+                            let _e1708 = phi_3226_;
                             continue;
                             continuing {
-                                phi_3116_ = _e1510;
-                                phi_793_ = _e1512;
-                                phi_796_ = _e1514;
-                                phi_798_ = _e1516;
-                                phi_800_ = _e1518;
-                                phi_802_ = _e1520;
-                                phi_3252_ = _e1510;
-                                break if !(_e1522);
+                                phi_3541_ = _e1696;
+                                phi_1096_ = _e1698;
+                                phi_1099_ = _e1700;
+                                phi_1101_ = _e1702;
+                                phi_1103_ = _e1704;
+                                phi_1105_ = _e1706;
+                                phi_3695_ = _e1696;
+                                break if !(_e1708);
                             }
                         }
-                        let _e1525 = phi_3252_;
-                        if _e1525 {
+                        let _e1711 = phi_3695_;
+                        if _e1711 {
                             break;
                         }
-                        let _e1527 = local_10;
-                        if (_e1527.member.member.member_3 != 4294967295u) {
-                            let _e1533 = (_e257 / 3i);
-                            let _e1540 = bitcast<f32>((bitcast<u32>((_e1533 + 127i)) << bitcast<u32>(23i)));
-                            let _e1548 = (((_e1527.member.member.member * _e1540) * _e1540) * bitcast<f32>((bitcast<u32>(((_e257 - (2i * _e1533)) + 127i)) << bitcast<u32>(23i))));
-                            let _e1550 = select(340282350000000000000000000000000000000f, _e1548, (_e1548 < 340282350000000000000000000000000000000f));
-                            phi_2951_ = type_23(select(-340282350000000000000000000000000000000f, _e1550, (_e1550 > -340282350000000000000000000000000000000f)), _e1527.member.member.member_1, _e1527.member.member.member_2, _e1527.member.member.member_3);
+                        let _e1713 = local_10;
+                        if (_e1713.member.member.member_3 != 4294967295u) {
+                            let _e1719 = bitcast<u32>(_e1713.member.member.member);
+                            let _e1723 = (bitcast<i32>((_e1719 >> bitcast<u32>(23i))) & 255i);
+                            let _e1724 = (_e1723 + _e264);
+                            if (_e1723 == 255i) {
+                                phi_3285_ = _e1713.member.member.member;
+                            } else {
+                                if (_e1723 > 0i) {
+                                    if (_e1724 > 0i) {
+                                        let _e1728 = (_e1724 < 255i);
+                                        if _e1728 {
+                                            phi_3264_ = bitcast<f32>((_e1719 + bitcast<u32>((_e264 << bitcast<u32>(23i)))));
+                                        } else {
+                                            phi_3264_ = f32();
+                                        }
+                                        let _e1735 = phi_3264_;
+                                        phi_3266_ = _e1735;
+                                        phi_3267_ = select(true, false, _e1728);
+                                    } else {
+                                        phi_3266_ = f32();
+                                        phi_3267_ = true;
+                                    }
+                                    let _e1738 = phi_3266_;
+                                    let _e1740 = phi_3267_;
+                                    phi_3268_ = _e1738;
+                                    phi_3269_ = _e1740;
+                                } else {
+                                    phi_3268_ = f32();
+                                    phi_3269_ = true;
+                                }
+                                let _e1742 = phi_3268_;
+                                let _e1744 = phi_3269_;
+                                if _e1744 {
+                                    let _e1745 = (_e1719 & 2147483648u);
+                                    let _e1752 = ((_e1719 & 8388607u) | (select(0u, 1u, ((_e1719 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1756 = (_e1752 == 0u);
+                                    if _e1756 {
+                                        phi_3505_ = bitcast<f32>(_e1745);
+                                    } else {
+                                        let _e1761 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1752)), 32u, _e1756) - 8u);
+                                        let _e1764 = (_e1752 << bitcast<u32>((_e1761 & 31u)));
+                                        let _e1766 = ((_e1724 + select(0i, 1i, (_e1723 == 0i))) - bitcast<i32>(_e1761));
+                                        if (_e1766 >= 255i) {
+                                            phi_3495_ = bitcast<f32>((_e1745 | 2139095040u));
+                                            phi_3496_ = f32();
+                                            phi_3497_ = true;
+                                        } else {
+                                            let _e1768 = (_e1766 > 0i);
+                                            if _e1768 {
+                                                phi_3489_ = bitcast<f32>(((_e1745 | (bitcast<u32>(_e1766) << bitcast<u32>(23i))) | (_e1764 & 8388607u)));
+                                                phi_3490_ = f32();
+                                            } else {
+                                                if (_e1766 < -24i) {
+                                                    phi_3455_ = 26u;
+                                                } else {
+                                                    phi_3455_ = bitcast<u32>((1i - _e1766));
+                                                }
+                                                let _e1773 = phi_3455_;
+                                                let _e1774 = (_e1773 & 31u);
+                                                let _e1776 = (_e1764 >> bitcast<u32>(_e1774));
+                                                let _e1780 = (_e1764 & ((1u << bitcast<u32>(_e1774)) - 1u));
+                                                let _e1784 = (1u << bitcast<u32>(((_e1773 - 1u) & 31u)));
+                                                if (_e1780 > _e1784) {
+                                                    phi_3476_ = true;
+                                                } else {
+                                                    if (_e1780 == _e1784) {
+                                                        phi_3473_ = ((_e1776 & 1u) == 1u);
+                                                    } else {
+                                                        phi_3473_ = false;
+                                                    }
+                                                    let _e1790 = phi_3473_;
+                                                    phi_3476_ = _e1790;
+                                                }
+                                                let _e1792 = phi_3476_;
+                                                phi_3489_ = f32();
+                                                phi_3490_ = bitcast<f32>((_e1745 | (_e1776 + select(0u, 1u, _e1792))));
+                                            }
+                                            let _e1805 = phi_3489_;
+                                            let _e1807 = phi_3490_;
+                                            phi_3495_ = _e1805;
+                                            phi_3496_ = _e1807;
+                                            phi_3497_ = _e1768;
+                                        }
+                                        let _e1811 = phi_3495_;
+                                        let _e1813 = phi_3496_;
+                                        let _e1815 = phi_3497_;
+                                        phi_3505_ = select(_e1813, _e1811, _e1815);
+                                    }
+                                    let _e1819 = phi_3505_;
+                                    phi_3284_ = _e1819;
+                                } else {
+                                    phi_3284_ = _e1742;
+                                }
+                                let _e1821 = phi_3284_;
+                                phi_3285_ = _e1821;
+                            }
+                            let _e1823 = phi_3285_;
+                            let _e1824 = bitcast<u32>(_e1823);
+                            if ((_e1824 & 2147483647u) >= 2139095040u) {
+                                phi_3297_ = bitcast<f32>(((_e1824 & 2147483648u) | 2139095039u));
+                            } else {
+                                phi_3297_ = _e1823;
+                            }
+                            let _e1831 = phi_3297_;
+                            phi_3302_ = type_23(_e1831, _e1713.member.member.member_1, _e1713.member.member.member_2, _e1713.member.member.member_3);
                         } else {
-                            phi_2951_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3302_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1557 = phi_2951_;
-                        if _e133 {
+                        let _e1836 = phi_3302_;
+                        if _e140 {
                         } else {
                             break;
                         }
-                        global_2.member[_e125] = _e1557;
-                        let _e1561 = local_11;
-                        if _e134 {
+                        global_2.member[_e132] = _e1836;
+                        let _e1840 = local_11;
+                        if _e141 {
                         } else {
                             break;
                         }
-                        global_5.member[_e125] = _e1561.member_1;
-                        if _e132 {
+                        global_5.member[_e132] = _e1840.member_1;
+                        if _e139 {
                         } else {
                             break;
                         }
-                        let _e1566 = select(0u, 1u, (_e201 <= _e211));
-                        if (_e1566 > 0u) {
-                            let _e1568 = (1u < _e93);
-                            if _e1568 {
-                                if (0u < _e93) {
+                        let _e1845 = select(0u, 1u, (_e208 <= _e218));
+                        if (_e1845 > 0u) {
+                            let _e1847 = (1u < _e100);
+                            if _e1847 {
+                                if (0u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1572 = atomicAdd((&global_6.member[0u]), _e1566);
-                                if ((_e1572 + _e1566) < _e1572) {
-                                    if _e1568 {
+                                let _e1851 = atomicAdd((&global_6.member[0u]), _e1845);
+                                if ((_e1851 + _e1845) < _e1851) {
+                                    if _e1847 {
                                     } else {
                                         break;
                                     }
-                                    let _e1577 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e1856 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1580 = select(0u, 1u, (_e1557.member_3 != 4294967295u));
-                        if (_e1580 > 0u) {
-                            let _e1582 = (3u < _e93);
-                            if _e1582 {
-                                if (2u < _e93) {
+                        let _e1859 = select(0u, 1u, (_e1836.member_3 != 4294967295u));
+                        if (_e1859 > 0u) {
+                            let _e1861 = (3u < _e100);
+                            if _e1861 {
+                                if (2u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1586 = atomicAdd((&global_6.member[2u]), _e1580);
-                                if ((_e1586 + _e1580) < _e1586) {
-                                    if _e1582 {
+                                let _e1865 = atomicAdd((&global_6.member[2u]), _e1859);
+                                if ((_e1865 + _e1859) < _e1865) {
+                                    if _e1861 {
                                     } else {
                                         break;
                                     }
-                                    let _e1591 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e1870 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1561.member_1 > 0u) {
-                            let _e1593 = (5u < _e93);
-                            if _e1593 {
-                                if (4u < _e93) {
+                        if (_e1840.member_1 > 0u) {
+                            let _e1872 = (5u < _e100);
+                            if _e1872 {
+                                if (4u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1597 = atomicAdd((&global_6.member[4u]), _e1561.member_1);
-                                if ((_e1597 + _e1561.member_1) < _e1597) {
-                                    if _e1593 {
+                                let _e1876 = atomicAdd((&global_6.member[4u]), _e1840.member_1);
+                                if ((_e1876 + _e1840.member_1) < _e1876) {
+                                    if _e1872 {
                                     } else {
                                         break;
                                     }
-                                    let _e1602 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e1881 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

@@ -113,387 +113,467 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_346_: i32;
-    var phi_347_: i32;
-    var phi_357_: bool;
-    var phi_367_: u32;
-    var phi_368_: u32;
-    var phi_370_: bool;
-    var phi_375_: u32;
-    var phi_407_: i32;
-    var phi_425_: f32;
-    var phi_431_: f32;
-    var phi_442_: f32;
-    var phi_448_: f32;
-    var phi_471_: f32;
-    var phi_482_: f32;
-    var phi_491_: f32;
-    var phi_497_: f32;
+    var phi_429_: i32;
+    var phi_430_: i32;
+    var phi_440_: bool;
+    var phi_450_: u32;
+    var phi_451_: u32;
+    var phi_453_: bool;
+    var phi_458_: u32;
+    var phi_490_: i32;
     var phi_508_: f32;
     var phi_514_: f32;
-    var phi_537_: f32;
-    var phi_548_: f32;
-    var phi_557_: f32;
-    var phi_563_: f32;
-    var phi_574_: f32;
-    var phi_580_: f32;
-    var phi_603_: f32;
-    var phi_614_: f32;
-    var phi_714_: f32;
-    var phi_715_: f32;
-    var phi_3287_: bool;
-    var phi_797_: type_36;
-    var phi_800_: type_53;
-    var phi_802_: u32;
-    var phi_804_: bool;
-    var phi_806_: u32;
-    var phi_817_: bool;
-    var phi_903_: type_53;
-    var phi_904_: bool;
-    var phi_905_: u32;
-    var phi_2126_: type_40;
-    var phi_2958_: type_53;
-    var phi_3035_: type_53;
-    var phi_3036_: type_53;
-    var phi_3037_: u32;
-    var phi_3039_: type_53;
-    var phi_3040_: u32;
-    var phi_3041_: bool;
-    var phi_3048_: type_53;
-    var phi_3053_: type_53;
-    var phi_3054_: bool;
-    var phi_924_: type_36;
-    var phi_927_: type_7;
-    var phi_928_: type_7;
-    var phi_950_: type_7;
-    var phi_978_: u32;
-    var phi_994_: type_47;
-    var phi_1370_: bool;
-    var phi_1399_: bool;
-    var phi_1776_: f32;
-    var phi_1777_: f32;
-    var phi_1778_: f32;
-    var phi_1779_: f32;
-    var phi_1780_: vec3<f32>;
-    var phi_1781_: vec3<f32>;
-    var phi_1782_: vec3<f32>;
-    var phi_1783_: vec3<f32>;
-    var phi_1814_: bool;
-    var phi_1823_: vec3<f32>;
-    var phi_1988_: f32;
-    var phi_1990_: f32;
-    var phi_1991_: bool;
-    var phi_2011_: f32;
-    var phi_2012_: f32;
-    var phi_2035_: type_19;
-    var phi_2037_: type_19;
-    var phi_2038_: bool;
-    var phi_2042_: type_19;
-    var phi_2043_: type_19;
-    var phi_2044_: type_19;
-    var phi_2045_: bool;
-    var phi_2049_: type_19;
-    var phi_2050_: bool;
-    var phi_2051_: type_19;
-    var phi_2052_: bool;
-    var phi_2053_: bool;
-    var phi_2054_: type_19;
-    var phi_2055_: bool;
-    var phi_2056_: bool;
-    var phi_2064_: type_19;
-    var phi_2065_: bool;
-    var phi_2069_: type_19;
-    var phi_2094_: bool;
-    var phi_2095_: bool;
-    var phi_2102_: type_36;
-    var phi_2103_: type_36;
-    var phi_2104_: type_36;
-    var phi_925_: type_36;
-    var phi_3281_: bool;
-    var phi_3445_: bool;
-    var phi_3056_: type_36;
-    var phi_3057_: type_53;
-    var phi_3058_: bool;
-    var phi_3059_: u32;
-    var phi_3444_: bool;
-    var phi_3060_: type_36;
-    var phi_3061_: type_53;
-    var phi_3062_: u32;
-    var phi_3063_: bool;
-    var phi_3064_: u32;
-    var phi_3443_: bool;
-    var phi_3065_: type_36;
-    var phi_3066_: type_53;
-    var phi_3067_: u32;
-    var phi_3068_: bool;
-    var phi_3069_: u32;
-    var phi_3442_: bool;
-    var phi_798_: type_36;
-    var phi_801_: type_53;
-    var phi_803_: u32;
-    var phi_805_: bool;
-    var phi_807_: u32;
-    var phi_3070_: bool;
-    var phi_3441_: bool;
+    var phi_554_: f32;
+    var phi_560_: f32;
+    var phi_612_: f32;
+    var phi_623_: f32;
+    var phi_632_: f32;
+    var phi_638_: f32;
+    var phi_678_: f32;
+    var phi_684_: f32;
+    var phi_736_: f32;
+    var phi_747_: f32;
+    var phi_756_: f32;
+    var phi_762_: f32;
+    var phi_802_: f32;
+    var phi_808_: f32;
+    var phi_860_: f32;
+    var phi_871_: f32;
+    var phi_926_: i32;
+    var phi_948_: u32;
+    var phi_949_: u32;
+    var phi_986_: i32;
+    var phi_1008_: u32;
+    var phi_1009_: u32;
+    var phi_1017_: f32;
+    var phi_1018_: f32;
+    var phi_3730_: bool;
+    var phi_1100_: type_36;
+    var phi_1103_: type_53;
+    var phi_1105_: u32;
+    var phi_1107_: bool;
+    var phi_1109_: u32;
+    var phi_1120_: bool;
+    var phi_1206_: type_53;
+    var phi_1207_: bool;
+    var phi_1208_: u32;
+    var phi_2447_: type_40;
+    var phi_3303_: type_53;
+    var phi_3380_: type_53;
+    var phi_3381_: type_53;
+    var phi_3382_: u32;
+    var phi_3384_: type_53;
+    var phi_3385_: u32;
+    var phi_3386_: bool;
+    var phi_3393_: type_53;
+    var phi_3398_: type_53;
+    var phi_3399_: bool;
+    var phi_1227_: type_36;
+    var phi_1230_: type_7;
+    var phi_1231_: type_7;
+    var phi_1253_: type_7;
+    var phi_1281_: u32;
+    var phi_1297_: type_47;
+    var phi_1691_: bool;
+    var phi_1720_: bool;
+    var phi_2097_: f32;
+    var phi_2098_: f32;
+    var phi_2099_: f32;
+    var phi_2100_: f32;
+    var phi_2101_: vec3<f32>;
+    var phi_2102_: vec3<f32>;
+    var phi_2103_: vec3<f32>;
+    var phi_2104_: vec3<f32>;
+    var phi_2135_: bool;
+    var phi_2144_: vec3<f32>;
+    var phi_2309_: f32;
+    var phi_2311_: f32;
+    var phi_2312_: bool;
+    var phi_2332_: f32;
+    var phi_2333_: f32;
+    var phi_2356_: type_19;
+    var phi_2358_: type_19;
+    var phi_2359_: bool;
+    var phi_2363_: type_19;
+    var phi_2364_: type_19;
+    var phi_2365_: type_19;
+    var phi_2366_: bool;
+    var phi_2370_: type_19;
+    var phi_2371_: bool;
+    var phi_2372_: type_19;
+    var phi_2373_: bool;
+    var phi_2374_: bool;
+    var phi_2375_: type_19;
+    var phi_2376_: bool;
+    var phi_2377_: bool;
+    var phi_2385_: type_19;
+    var phi_2386_: bool;
+    var phi_2390_: type_19;
+    var phi_2415_: bool;
+    var phi_2416_: bool;
+    var phi_2423_: type_36;
+    var phi_2424_: type_36;
+    var phi_2425_: type_36;
+    var phi_1228_: type_36;
+    var phi_3724_: bool;
+    var phi_3906_: bool;
+    var phi_3401_: type_36;
+    var phi_3402_: type_53;
+    var phi_3403_: bool;
+    var phi_3404_: u32;
+    var phi_3905_: bool;
+    var phi_3405_: type_36;
+    var phi_3406_: type_53;
+    var phi_3407_: u32;
+    var phi_3408_: bool;
+    var phi_3409_: u32;
+    var phi_3904_: bool;
+    var phi_3410_: type_36;
+    var phi_3411_: type_53;
+    var phi_3412_: u32;
+    var phi_3413_: bool;
+    var phi_3414_: u32;
+    var phi_3903_: bool;
+    var phi_1101_: type_36;
+    var phi_1104_: type_53;
+    var phi_1106_: u32;
+    var phi_1108_: bool;
+    var phi_1110_: u32;
+    var phi_3415_: bool;
+    var phi_3902_: bool;
     var local_10: type_36;
-    var phi_3122_: type_19;
+    var phi_3453_: f32;
+    var phi_3455_: f32;
+    var phi_3456_: bool;
+    var phi_3457_: f32;
+    var phi_3458_: bool;
+    var phi_3644_: u32;
+    var phi_3662_: bool;
+    var phi_3665_: bool;
+    var phi_3678_: f32;
+    var phi_3679_: f32;
+    var phi_3684_: f32;
+    var phi_3685_: f32;
+    var phi_3686_: bool;
+    var phi_3694_: f32;
+    var phi_3473_: f32;
+    var phi_3474_: f32;
+    var phi_3486_: f32;
+    var phi_3491_: type_19;
     var local_11: type_36;
     var local_12: type_36;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e78 = global;
-            let _e81 = arrayLength((&global_6.member));
-            let _e92 = arrayLength((&global_5.member));
-            let _e96 = global_2.member[0u][0u];
-            let _e100 = global_2.member[0u][1u];
-            let _e104 = global_2.member[0u][2u];
-            let _e108 = global_2.member[1u][0u];
-            let _e112 = global_2.member[1u][1u];
-            let _e116 = global_2.member[1u][2u];
-            let _e120 = global_2.member[1u][3u];
-            let _e124 = (_e78.x + (_e78.y * 2097152u));
-            let _e131 = (_e124 < arrayLength((&global_3.member)));
-            if _e131 {
-                let _e132 = (_e124 < arrayLength((&global_1.member)));
-                if _e132 {
-                    let _e133 = (_e124 < arrayLength((&global_4.member)));
-                    if _e133 {
-                        if _e131 {
+            let _e85 = global;
+            let _e88 = arrayLength((&global_6.member));
+            let _e99 = arrayLength((&global_5.member));
+            let _e103 = global_2.member[0u][0u];
+            let _e107 = global_2.member[0u][1u];
+            let _e111 = global_2.member[0u][2u];
+            let _e115 = global_2.member[1u][0u];
+            let _e119 = global_2.member[1u][1u];
+            let _e123 = global_2.member[1u][2u];
+            let _e127 = global_2.member[1u][3u];
+            let _e131 = (_e85.x + (_e85.y * 2097152u));
+            let _e138 = (_e131 < arrayLength((&global_3.member)));
+            if _e138 {
+                let _e139 = (_e131 < arrayLength((&global_1.member)));
+                if _e139 {
+                    let _e140 = (_e131 < arrayLength((&global_4.member)));
+                    if _e140 {
+                        if _e138 {
                         } else {
                             break;
                         }
-                        let _e143 = global_3.member[_e124].member.member_2[0u];
-                        let _e145 = (bitcast<u32>(_e143) & 2147483647u);
-                        let _e151 = global_3.member[_e124].member.member_2[1u];
-                        let _e153 = (bitcast<u32>(_e151) & 2147483647u);
-                        let _e159 = global_3.member[_e124].member.member_2[2u];
-                        let _e161 = (bitcast<u32>(_e159) & 2147483647u);
-                        let _e167 = global_3.member[_e124].member.member[0u];
-                        let _e169 = (bitcast<u32>(_e167) & 2147483647u);
-                        let _e175 = global_3.member[_e124].member.member[1u];
-                        let _e177 = (bitcast<u32>(_e175) & 2147483647u);
-                        let _e183 = global_3.member[_e124].member.member[2u];
-                        let _e185 = (bitcast<u32>(_e183) & 2147483647u);
-                        let _e187 = select(_e153, _e145, (_e153 < _e145));
-                        let _e189 = select(_e161, _e187, (_e161 < _e187));
-                        let _e191 = select(_e169, _e189, (_e169 < _e189));
-                        let _e193 = select(_e177, _e191, (_e177 < _e191));
-                        let _e195 = select(_e185, _e193, (_e185 < _e193));
-                        let _e200 = global_3.member[_e124].member.member_1;
-                        let _e202 = (bitcast<u32>(_e200) & 2147483647u);
-                        let _e210 = global_3.member[_e124].member.member_3;
-                        let _e216 = (((select(_e202, _e195, (_e202 < _e195)) < 2139095040u) && ((bitcast<u32>(_e210) & 2147483647u) <= 2139095040u)) && (_e189 > 0u));
-                        if _e216 {
-                            let _e219 = (bitcast<u32>(bitcast<f32>(_e189)) & 2147483647u);
-                            if (_e219 >= 8388608u) {
-                                phi_346_ = (bitcast<i32>((_e219 >> bitcast<u32>(23i))) - 127i);
+                        let _e150 = global_3.member[_e131].member.member_2[0u];
+                        let _e152 = (bitcast<u32>(_e150) & 2147483647u);
+                        let _e158 = global_3.member[_e131].member.member_2[1u];
+                        let _e160 = (bitcast<u32>(_e158) & 2147483647u);
+                        let _e166 = global_3.member[_e131].member.member_2[2u];
+                        let _e168 = (bitcast<u32>(_e166) & 2147483647u);
+                        let _e174 = global_3.member[_e131].member.member[0u];
+                        let _e176 = (bitcast<u32>(_e174) & 2147483647u);
+                        let _e182 = global_3.member[_e131].member.member[1u];
+                        let _e184 = (bitcast<u32>(_e182) & 2147483647u);
+                        let _e190 = global_3.member[_e131].member.member[2u];
+                        let _e192 = (bitcast<u32>(_e190) & 2147483647u);
+                        let _e194 = select(_e160, _e152, (_e160 < _e152));
+                        let _e196 = select(_e168, _e194, (_e168 < _e194));
+                        let _e198 = select(_e176, _e196, (_e176 < _e196));
+                        let _e200 = select(_e184, _e198, (_e184 < _e198));
+                        let _e202 = select(_e192, _e200, (_e192 < _e200));
+                        let _e207 = global_3.member[_e131].member.member_1;
+                        let _e208 = bitcast<u32>(_e207);
+                        let _e209 = (_e208 & 2147483647u);
+                        let _e217 = global_3.member[_e131].member.member_3;
+                        let _e218 = bitcast<u32>(_e217);
+                        let _e219 = (_e218 & 2147483647u);
+                        let _e223 = (((select(_e209, _e202, (_e209 < _e202)) < 2139095040u) && (_e219 <= 2139095040u)) && (_e196 > 0u));
+                        if _e223 {
+                            let _e226 = (bitcast<u32>(bitcast<f32>(_e196)) & 2147483647u);
+                            if (_e226 >= 8388608u) {
+                                phi_429_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_346_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u))));
+                                phi_429_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
                             }
-                            let _e233 = phi_346_;
-                            phi_347_ = _e233;
+                            let _e240 = phi_429_;
+                            phi_430_ = _e240;
                         } else {
-                            phi_347_ = 0i;
+                            phi_430_ = 0i;
                         }
-                        let _e235 = phi_347_;
-                        let _e236 = (_e145 == _e189);
-                        if _e236 {
-                            phi_357_ = true;
+                        let _e242 = phi_430_;
+                        let _e243 = (_e152 == _e196);
+                        if _e243 {
+                            phi_440_ = true;
                         } else {
-                            phi_357_ = (_e153 == _e189);
+                            phi_440_ = (_e160 == _e196);
                         }
-                        let _e239 = phi_357_;
-                        let _e240 = select(1u, 0u, _e236);
-                        if _e239 {
-                            let _e241 = (_e240 + 1u);
-                            phi_367_ = _e241;
-                            phi_368_ = _e241;
-                            phi_370_ = select(true, false, (_e241 == 2u));
+                        let _e246 = phi_440_;
+                        let _e247 = select(1u, 0u, _e243);
+                        if _e246 {
+                            let _e248 = (_e247 + 1u);
+                            phi_450_ = _e248;
+                            phi_451_ = _e248;
+                            phi_453_ = select(true, false, (_e248 == 2u));
                         } else {
-                            phi_367_ = u32();
-                            phi_368_ = 0u;
-                            phi_370_ = true;
+                            phi_450_ = u32();
+                            phi_451_ = 0u;
+                            phi_453_ = true;
                         }
-                        let _e245 = phi_367_;
-                        let _e247 = phi_368_;
-                        let _e249 = phi_370_;
-                        if _e249 {
-                            phi_375_ = (_e247 + 1u);
+                        let _e252 = phi_450_;
+                        let _e254 = phi_451_;
+                        let _e256 = phi_453_;
+                        if _e256 {
+                            phi_458_ = (_e254 + 1u);
                         } else {
-                            phi_375_ = 0u;
+                            phi_458_ = 0u;
                         }
-                        let _e253 = phi_375_;
-                        let _e254 = select(_e245, _e247, _e249);
-                        let _e255 = select(_e240, select(2u, _e240, _e239), _e249);
-                        let _e256 = -(_e235);
-                        if (_e256 < -126i) {
-                            phi_407_ = -126i;
+                        let _e260 = phi_458_;
+                        let _e261 = select(_e252, _e254, _e256);
+                        let _e262 = select(_e247, select(2u, _e247, _e246), _e256);
+                        let _e263 = -(_e242);
+                        if (_e263 < -126i) {
+                            phi_490_ = -126i;
                         } else {
-                            phi_407_ = select(_e256, 127i, (_e256 > 127i));
+                            phi_490_ = select(_e263, 127i, (_e263 > 127i));
                         }
-                        let _e261 = phi_407_;
-                        let _e266 = bitcast<f32>((bitcast<u32>((_e261 + 127i)) << bitcast<u32>(23i)));
-                        let _e272 = bitcast<f32>((bitcast<u32>(((_e256 - _e261) + 127i)) << bitcast<u32>(23i)));
-                        let _e277 = global_3.member[_e124].member.member;
-                        let _e278 = (_e254 == 0u);
-                        if _e278 {
-                            phi_425_ = _e277[0];
+                        let _e268 = phi_490_;
+                        let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
+                        let _e279 = bitcast<f32>((bitcast<u32>(((_e263 - _e268) + 127i)) << bitcast<u32>(23i)));
+                        let _e284 = global_3.member[_e131].member.member;
+                        let _e285 = (_e261 == 0u);
+                        if _e285 {
+                            phi_508_ = _e284[0];
                         } else {
-                            phi_425_ = _e277[1];
+                            phi_508_ = _e284[1];
                         }
-                        let _e282 = phi_425_;
-                        let _e283 = (_e254 == 2u);
-                        if _e283 {
-                            phi_431_ = _e277[2];
+                        let _e289 = phi_508_;
+                        let _e290 = (_e261 == 2u);
+                        if _e290 {
+                            phi_514_ = _e284[2];
                         } else {
-                            phi_431_ = _e282;
+                            phi_514_ = _e289;
                         }
-                        let _e286 = phi_431_;
-                        let _e287 = global_3.member[_e124].member.member_2;
-                        if _e278 {
-                            phi_442_ = _e287[0];
+                        let _e293 = phi_514_;
+                        let _e294 = bitcast<u32>(_e293);
+                        let _e296 = ((_e294 & 2139095040u) != 0u);
+                        let _e308 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e294 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e294 & 2147483648u))), _e293, _e296) * select(0.00000011920929f, 1f, _e296));
+                        let _e309 = global_3.member[_e131].member.member_2;
+                        if _e285 {
+                            phi_554_ = _e309[0];
                         } else {
-                            phi_442_ = _e287[1];
+                            phi_554_ = _e309[1];
                         }
-                        let _e291 = phi_442_;
-                        if _e283 {
-                            phi_448_ = _e287[2];
+                        let _e313 = phi_554_;
+                        if _e290 {
+                            phi_560_ = _e309[2];
                         } else {
-                            phi_448_ = _e291;
+                            phi_560_ = _e313;
                         }
-                        let _e294 = phi_448_;
-                        let _e296 = ((_e294 * _e266) * _e272);
-                        let _e300 = (bitcast<f32>((bitcast<u32>(_e296) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e300 {
-                            let _e304 = (bitcast<f32>((bitcast<u32>(_e286) & 2147483647u)) * 0.00000011920929f);
-                            phi_471_ = select(0.00000000000011368684f, _e304, (_e304 > 0.00000000000011368684f));
+                        let _e316 = phi_560_;
+                        let _e317 = bitcast<u32>(_e316);
+                        let _e319 = ((_e317 & 2139095040u) != 0u);
+                        let _e333 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e317 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e317 & 2147483648u))), _e316, _e319) * _e273) * select(0.00000011920929f, 1f, _e319)) * _e279);
+                        let _e337 = (bitcast<f32>((bitcast<u32>(_e333) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e337 {
+                            let _e341 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) * 0.00000011920929f);
+                            phi_612_ = select(0.00000000000011368684f, _e341, (_e341 > 0.00000000000011368684f));
                         } else {
-                            phi_471_ = 0f;
+                            phi_612_ = 0f;
                         }
-                        let _e308 = phi_471_;
-                        let _e309 = (_e286 + _e308);
-                        let _e310 = (_e286 - _e308);
-                        let _e311 = select(_e296, 0f, _e300);
-                        if _e300 {
-                            phi_482_ = 38685626000000000000000000f;
+                        let _e345 = phi_612_;
+                        let _e346 = (_e308 + _e345);
+                        let _e347 = (_e308 - _e345);
+                        let _e348 = select(_e333, 0f, _e337);
+                        if _e337 {
+                            phi_623_ = 38685626000000000000000000f;
                         } else {
-                            phi_482_ = (1f / _e296);
+                            phi_623_ = (1f / _e333);
                         }
-                        let _e314 = phi_482_;
-                        let _e315 = (_e253 == 0u);
-                        if _e315 {
-                            phi_491_ = _e277[0];
+                        let _e351 = phi_623_;
+                        let _e352 = (_e260 == 0u);
+                        if _e352 {
+                            phi_632_ = _e284[0];
                         } else {
-                            phi_491_ = _e277[1];
+                            phi_632_ = _e284[1];
                         }
-                        let _e319 = phi_491_;
-                        let _e320 = (_e253 == 2u);
-                        if _e320 {
-                            phi_497_ = _e277[2];
+                        let _e356 = phi_632_;
+                        let _e357 = (_e260 == 2u);
+                        if _e357 {
+                            phi_638_ = _e284[2];
                         } else {
-                            phi_497_ = _e319;
+                            phi_638_ = _e356;
                         }
-                        let _e323 = phi_497_;
-                        if _e315 {
-                            phi_508_ = _e287[0];
+                        let _e360 = phi_638_;
+                        let _e361 = bitcast<u32>(_e360);
+                        let _e363 = ((_e361 & 2139095040u) != 0u);
+                        let _e375 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e361 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e361 & 2147483648u))), _e360, _e363) * select(0.00000011920929f, 1f, _e363));
+                        if _e352 {
+                            phi_678_ = _e309[0];
                         } else {
-                            phi_508_ = _e287[1];
+                            phi_678_ = _e309[1];
                         }
-                        let _e327 = phi_508_;
-                        if _e320 {
-                            phi_514_ = _e287[2];
+                        let _e379 = phi_678_;
+                        if _e357 {
+                            phi_684_ = _e309[2];
                         } else {
-                            phi_514_ = _e327;
+                            phi_684_ = _e379;
                         }
-                        let _e330 = phi_514_;
-                        let _e332 = ((_e330 * _e266) * _e272);
-                        let _e336 = (bitcast<f32>((bitcast<u32>(_e332) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e336 {
-                            let _e340 = (bitcast<f32>((bitcast<u32>(_e323) & 2147483647u)) * 0.00000011920929f);
-                            phi_537_ = select(0.00000000000011368684f, _e340, (_e340 > 0.00000000000011368684f));
+                        let _e382 = phi_684_;
+                        let _e383 = bitcast<u32>(_e382);
+                        let _e385 = ((_e383 & 2139095040u) != 0u);
+                        let _e399 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e383 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e383 & 2147483648u))), _e382, _e385) * _e273) * select(0.00000011920929f, 1f, _e385)) * _e279);
+                        let _e403 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e403 {
+                            let _e407 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) * 0.00000011920929f);
+                            phi_736_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
                         } else {
-                            phi_537_ = 0f;
+                            phi_736_ = 0f;
                         }
-                        let _e344 = phi_537_;
-                        let _e345 = (_e323 + _e344);
-                        let _e346 = (_e323 - _e344);
-                        let _e347 = select(_e332, 0f, _e336);
-                        if _e336 {
-                            phi_548_ = 38685626000000000000000000f;
+                        let _e411 = phi_736_;
+                        let _e412 = (_e375 + _e411);
+                        let _e413 = (_e375 - _e411);
+                        let _e414 = select(_e399, 0f, _e403);
+                        if _e403 {
+                            phi_747_ = 38685626000000000000000000f;
                         } else {
-                            phi_548_ = (1f / _e332);
+                            phi_747_ = (1f / _e399);
                         }
-                        let _e350 = phi_548_;
-                        let _e351 = (_e255 == 0u);
-                        if _e351 {
-                            phi_557_ = _e277[0];
+                        let _e417 = phi_747_;
+                        let _e418 = (_e262 == 0u);
+                        if _e418 {
+                            phi_756_ = _e284[0];
                         } else {
-                            phi_557_ = _e277[1];
+                            phi_756_ = _e284[1];
                         }
-                        let _e355 = phi_557_;
-                        let _e356 = (_e255 == 2u);
-                        if _e356 {
-                            phi_563_ = _e277[2];
+                        let _e422 = phi_756_;
+                        let _e423 = (_e262 == 2u);
+                        if _e423 {
+                            phi_762_ = _e284[2];
                         } else {
-                            phi_563_ = _e355;
+                            phi_762_ = _e422;
                         }
-                        let _e359 = phi_563_;
-                        if _e351 {
-                            phi_574_ = _e287[0];
+                        let _e426 = phi_762_;
+                        let _e427 = bitcast<u32>(_e426);
+                        let _e429 = ((_e427 & 2139095040u) != 0u);
+                        let _e441 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e427 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e427 & 2147483648u))), _e426, _e429) * select(0.00000011920929f, 1f, _e429));
+                        if _e418 {
+                            phi_802_ = _e309[0];
                         } else {
-                            phi_574_ = _e287[1];
+                            phi_802_ = _e309[1];
                         }
-                        let _e363 = phi_574_;
-                        if _e356 {
-                            phi_580_ = _e287[2];
+                        let _e445 = phi_802_;
+                        if _e423 {
+                            phi_808_ = _e309[2];
                         } else {
-                            phi_580_ = _e363;
+                            phi_808_ = _e445;
                         }
-                        let _e366 = phi_580_;
-                        let _e368 = ((_e366 * _e266) * _e272);
-                        let _e372 = (bitcast<f32>((bitcast<u32>(_e368) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e372 {
-                            let _e376 = (bitcast<f32>((bitcast<u32>(_e359) & 2147483647u)) * 0.00000011920929f);
-                            phi_603_ = select(0.00000000000011368684f, _e376, (_e376 > 0.00000000000011368684f));
+                        let _e448 = phi_808_;
+                        let _e449 = bitcast<u32>(_e448);
+                        let _e451 = ((_e449 & 2139095040u) != 0u);
+                        let _e465 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e449 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e449 & 2147483648u))), _e448, _e451) * _e273) * select(0.00000011920929f, 1f, _e451)) * _e279);
+                        let _e469 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e469 {
+                            let _e473 = (bitcast<f32>((bitcast<u32>(_e441) & 2147483647u)) * 0.00000011920929f);
+                            phi_860_ = select(0.00000000000011368684f, _e473, (_e473 > 0.00000000000011368684f));
                         } else {
-                            phi_603_ = 0f;
+                            phi_860_ = 0f;
                         }
-                        let _e380 = phi_603_;
-                        let _e381 = (_e359 + _e380);
-                        let _e382 = (_e359 - _e380);
-                        let _e383 = select(_e368, 0f, _e372);
-                        if _e372 {
-                            phi_614_ = 38685626000000000000000000f;
+                        let _e477 = phi_860_;
+                        let _e478 = (_e441 + _e477);
+                        let _e479 = (_e441 - _e477);
+                        let _e480 = select(_e465, 0f, _e469);
+                        if _e469 {
+                            phi_871_ = 38685626000000000000000000f;
                         } else {
-                            phi_614_ = (1f / _e368);
+                            phi_871_ = (1f / _e465);
                         }
-                        let _e386 = phi_614_;
-                        let _e389 = bitcast<f32>((bitcast<u32>(_e286) & 2147483647u));
-                        let _e392 = bitcast<f32>((bitcast<u32>(_e323) & 2147483647u));
-                        let _e394 = select(_e392, _e389, (_e389 > _e392));
-                        let _e397 = bitcast<f32>((bitcast<u32>(_e359) & 2147483647u));
-                        if (_e216 && (select(_e397, _e394, (_e394 > _e397)) <= 1099511600000f)) {
-                            let _e402 = (_e235 / 3i);
-                            let _e409 = bitcast<f32>((bitcast<u32>((_e402 + 127i)) << bitcast<u32>(23i)));
-                            let _e416 = bitcast<f32>((bitcast<u32>(((_e235 - (2i * _e402)) + 127i)) << bitcast<u32>(23i)));
-                            let _e417 = (((_e200 * _e409) * _e409) * _e416);
-                            let _e419 = select(340282350000000000000000000000000000000f, _e417, (_e417 < 340282350000000000000000000000000000000f));
-                            let _e424 = (((_e210 * _e409) * _e409) * _e416);
-                            let _e426 = select(340282350000000000000000000000000000000f, _e424, (_e424 < 340282350000000000000000000000000000000f));
-                            phi_714_ = select(-340282350000000000000000000000000000000f, _e426, (_e426 > -340282350000000000000000000000000000000f));
-                            phi_715_ = select(-340282350000000000000000000000000000000f, _e419, (_e419 > -340282350000000000000000000000000000000f));
+                        let _e483 = phi_871_;
+                        let _e486 = bitcast<f32>((bitcast<u32>(_e308) & 2147483647u));
+                        let _e489 = bitcast<f32>((bitcast<u32>(_e375) & 2147483647u));
+                        let _e491 = select(_e489, _e486, (_e486 > _e489));
+                        let _e494 = bitcast<f32>((bitcast<u32>(_e441) & 2147483647u));
+                        if (_e223 && (select(_e494, _e491, (_e491 > _e494)) <= 1099511600000f)) {
+                            let _e506 = ((_e209 & 8388607u) | (select(0u, 1u, ((_e209 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e509 = bitcast<i32>((_e209 >> bitcast<u32>(23i)));
+                            let _e513 = (_e506 == 0u);
+                            let _e516 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e506)), 32u, _e513)) - 8i);
+                            if (_e509 == 255i) {
+                                phi_926_ = 255i;
+                            } else {
+                                phi_926_ = (((_e509 + select(0i, 1i, (_e509 == 0i))) - _e516) + _e242);
+                            }
+                            let _e524 = phi_926_;
+                            let _e534 = (_e524 <= 0i);
+                            if _e534 {
+                                phi_949_ = u32();
+                            } else {
+                                if _e513 {
+                                    phi_948_ = u32();
+                                } else {
+                                    phi_948_ = select(((bitcast<u32>(_e524) << bitcast<u32>(23i)) | ((_e506 << bitcast<u32>(((_e516 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e524 >= 255i));
+                                }
+                                let _e538 = phi_948_;
+                                phi_949_ = _e538;
+                            }
+                            let _e540 = phi_949_;
+                            let _e552 = ((_e219 & 8388607u) | (select(0u, 1u, ((_e219 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e555 = bitcast<i32>((_e219 >> bitcast<u32>(23i)));
+                            let _e559 = (_e552 == 0u);
+                            let _e562 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e552)), 32u, _e559)) - 8i);
+                            if (_e555 == 255i) {
+                                phi_986_ = 255i;
+                            } else {
+                                phi_986_ = (((_e555 + select(0i, 1i, (_e555 == 0i))) - _e562) + _e242);
+                            }
+                            let _e570 = phi_986_;
+                            let _e580 = (_e570 <= 0i);
+                            if _e580 {
+                                phi_1009_ = u32();
+                            } else {
+                                if _e559 {
+                                    phi_1008_ = u32();
+                                } else {
+                                    phi_1008_ = select(((bitcast<u32>(_e570) << bitcast<u32>(23i)) | ((_e552 << bitcast<u32>(((_e562 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e570 >= 255i));
+                                }
+                                let _e584 = phi_1008_;
+                                phi_1009_ = _e584;
+                            }
+                            let _e586 = phi_1009_;
+                            phi_1017_ = bitcast<f32>(((_e218 & 2147483648u) | select(_e586, 0u, select(_e559, true, _e580))));
+                            phi_1018_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e540, 0u, select(_e513, true, _e534))));
                         } else {
-                            phi_714_ = 0f;
-                            phi_715_ = 1f;
+                            phi_1017_ = 0f;
+                            phi_1018_ = 1f;
                         }
-                        let _e430 = phi_714_;
-                        let _e432 = phi_715_;
-                        if _e131 {
+                        let _e592 = phi_1017_;
+                        let _e594 = phi_1018_;
+                        if _e138 {
                         } else {
                             break;
                         }
-                        let _e438 = global_3.member[_e124].member_2;
+                        let _e600 = global_3.member[_e131].member_2;
                         local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -502,911 +582,1010 @@ fn function_() {
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        local_9 = array<f32, 3>(bitcast<f32>(_e96), bitcast<f32>(_e100), bitcast<f32>(_e104));
-                        let _e442 = (_e254 % 3u);
-                        let _e443 = (_e442 < 3u);
-                        if _e443 {
+                        local_9 = array<f32, 3>(bitcast<f32>(_e103), bitcast<f32>(_e107), bitcast<f32>(_e111));
+                        let _e604 = (_e261 % 3u);
+                        let _e605 = (_e604 < 3u);
+                        if _e605 {
                         } else {
                             break;
                         }
-                        let _e445 = local_9[_e442];
-                        let _e446 = (_e253 % 3u);
-                        let _e447 = (_e446 < 3u);
-                        if _e447 {
+                        let _e607 = local_9[_e604];
+                        let _e608 = (_e260 % 3u);
+                        let _e609 = (_e608 < 3u);
+                        if _e609 {
                         } else {
                             break;
                         }
-                        let _e449 = local_9[_e446];
-                        let _e450 = (_e255 % 3u);
-                        let _e451 = (_e450 < 3u);
-                        if _e451 {
+                        let _e611 = local_9[_e608];
+                        let _e612 = (_e262 % 3u);
+                        let _e613 = (_e612 < 3u);
+                        if _e613 {
                         } else {
                             break;
                         }
-                        let _e453 = local_9[_e450];
-                        local_8 = array<f32, 3>(bitcast<f32>(_e108), bitcast<f32>(_e112), bitcast<f32>(_e116));
-                        if _e443 {
+                        let _e615 = local_9[_e612];
+                        local_8 = array<f32, 3>(bitcast<f32>(_e115), bitcast<f32>(_e119), bitcast<f32>(_e123));
+                        if _e605 {
                         } else {
                             break;
                         }
-                        let _e457 = local_8[_e442];
-                        if _e447 {
+                        let _e619 = local_8[_e604];
+                        if _e609 {
                         } else {
                             break;
                         }
-                        let _e459 = local_8[_e446];
-                        if _e451 {
+                        let _e621 = local_8[_e608];
+                        if _e613 {
                         } else {
                             break;
                         }
-                        let _e461 = local_8[_e450];
-                        phi_3287_ = false;
-                        phi_797_ = type_36(type_34(type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e430), 0u, 0u);
-                        phi_800_ = type_53(type_45(array<f32, 3>(_e445, _e449, _e453), array<f32, 3>(_e457, _e459, _e461)), select(0u, 2147483648u, (_e81 == 0u)));
-                        phi_802_ = ((3u * _e81) + 1u);
-                        phi_804_ = (_e432 <= _e430);
-                        phi_806_ = 0u;
+                        let _e623 = local_8[_e612];
+                        phi_3730_ = false;
+                        phi_1100_ = type_36(type_34(type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e592), 0u, 0u);
+                        phi_1103_ = type_53(type_45(array<f32, 3>(_e607, _e611, _e615), array<f32, 3>(_e619, _e621, _e623)), select(0u, 2147483648u, (_e88 == 0u)));
+                        phi_1105_ = ((3u * _e88) + 1u);
+                        phi_1107_ = (_e594 <= _e592);
+                        phi_1109_ = 0u;
                         loop {
-                            let _e469 = phi_3287_;
-                            let _e471 = phi_797_;
-                            let _e473 = phi_800_;
-                            let _e475 = phi_802_;
-                            let _e477 = phi_804_;
-                            let _e479 = phi_806_;
-                            local_10 = _e471;
-                            local_11 = _e471;
-                            if _e477 {
-                                phi_817_ = true;
+                            let _e631 = phi_3730_;
+                            let _e633 = phi_1100_;
+                            let _e635 = phi_1103_;
+                            let _e637 = phi_1105_;
+                            let _e639 = phi_1107_;
+                            let _e641 = phi_1109_;
+                            local_10 = _e633;
+                            local_11 = _e633;
+                            if _e639 {
+                                phi_1120_ = true;
                             } else {
-                                phi_817_ = (_e479 > 0u);
+                                phi_1120_ = (_e641 > 0u);
                             }
-                            let _e482 = phi_817_;
-                            if _e482 {
-                                let _e483 = (_e475 > 0u);
-                                if _e483 {
-                                    if _e477 {
-                                        phi_903_ = _e473;
-                                        phi_904_ = _e477;
-                                        phi_905_ = _e479;
+                            let _e644 = phi_1120_;
+                            if _e644 {
+                                let _e645 = (_e637 > 0u);
+                                if _e645 {
+                                    if _e639 {
+                                        phi_1206_ = _e635;
+                                        phi_1207_ = _e639;
+                                        phi_1208_ = _e641;
                                     } else {
-                                        let _e484 = (_e479 - 1u);
-                                        let _e485 = (_e484 % 128u);
-                                        let _e486 = (_e485 < 128u);
-                                        if _e486 {
+                                        let _e646 = (_e641 - 1u);
+                                        let _e647 = (_e646 % 128u);
+                                        let _e648 = (_e647 < 128u);
+                                        if _e648 {
                                         } else {
-                                            phi_3441_ = true;
+                                            phi_3902_ = true;
                                             break;
                                         }
-                                        let _e488 = local_6[_e485];
-                                        if _e486 {
+                                        let _e650 = local_6[_e647];
+                                        if _e648 {
                                         } else {
-                                            phi_3441_ = true;
+                                            phi_3902_ = true;
                                             break;
                                         }
-                                        let _e490 = local_5[_e485];
-                                        if _e486 {
+                                        let _e652 = local_5[_e647];
+                                        if _e648 {
                                         } else {
-                                            phi_3441_ = true;
+                                            phi_3902_ = true;
                                             break;
                                         }
-                                        let _e492 = local_4[_e485];
-                                        if _e486 {
+                                        let _e654 = local_4[_e647];
+                                        if _e648 {
                                         } else {
-                                            phi_3441_ = true;
+                                            phi_3902_ = true;
                                             break;
                                         }
-                                        let _e494 = local_3[_e485];
-                                        if _e486 {
+                                        let _e656 = local_3[_e647];
+                                        if _e648 {
                                         } else {
-                                            phi_3441_ = true;
+                                            phi_3902_ = true;
                                             break;
                                         }
-                                        let _e497 = local_2[_e485];
-                                        if _e486 {
+                                        let _e659 = local_2[_e647];
+                                        if _e648 {
                                         } else {
-                                            phi_3441_ = true;
+                                            phi_3902_ = true;
                                             break;
                                         }
-                                        let _e499 = local_1[_e485];
-                                        if _e486 {
+                                        let _e661 = local_1[_e647];
+                                        if _e648 {
                                         } else {
-                                            phi_3441_ = true;
+                                            phi_3902_ = true;
                                             break;
                                         }
-                                        let _e501 = local[_e485];
-                                        if _e486 {
+                                        let _e663 = local[_e647];
+                                        if _e648 {
                                         } else {
-                                            phi_3441_ = true;
+                                            phi_3902_ = true;
                                             break;
                                         }
-                                        let _e506 = local_7[_e485];
-                                        phi_903_ = type_53(type_45(array<f32, 3>(_e490, _e492, _e494), array<f32, 3>(_e497, _e499, _e501)), _e488);
-                                        phi_904_ = (_e506 <= _e471.member.member_1);
-                                        phi_905_ = _e484;
+                                        let _e668 = local_7[_e647];
+                                        phi_1206_ = type_53(type_45(array<f32, 3>(_e652, _e654, _e656), array<f32, 3>(_e659, _e661, _e663)), _e650);
+                                        phi_1207_ = (_e668 <= _e633.member.member_1);
+                                        phi_1208_ = _e646;
                                     }
-                                    let _e511 = phi_903_;
-                                    let _e513 = phi_904_;
-                                    let _e515 = phi_905_;
-                                    if _e513 {
-                                        if ((_e511.member_1 & 2147483648u) != 0u) {
-                                            phi_924_ = _e471;
-                                            phi_927_ = type_7(0u, ((_e511.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e673 = phi_1206_;
+                                    let _e675 = phi_1207_;
+                                    let _e677 = phi_1208_;
+                                    if _e675 {
+                                        if ((_e673.member_1 & 2147483648u) != 0u) {
+                                            phi_1227_ = _e633;
+                                            phi_1230_ = type_7(0u, ((_e673.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e875 = phi_924_;
-                                                let _e877 = phi_927_;
-                                                local_12 = _e875;
-                                                if (_e877.member < _e877.member_1) {
-                                                    phi_928_ = type_7((_e877.member + 1u), _e877.member_1);
-                                                    phi_950_ = type_7(1u, _e877.member);
+                                                let _e1061 = phi_1227_;
+                                                let _e1063 = phi_1230_;
+                                                local_12 = _e1061;
+                                                if (_e1063.member < _e1063.member_1) {
+                                                    phi_1231_ = type_7((_e1063.member + 1u), _e1063.member_1);
+                                                    phi_1253_ = type_7(1u, _e1063.member);
                                                 } else {
-                                                    phi_928_ = _e877;
-                                                    phi_950_ = type_7(0u, type_7().member_1);
+                                                    phi_1231_ = _e1063;
+                                                    phi_1253_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e890 = phi_928_;
-                                                let _e892 = phi_950_;
-                                                let _e896 = (bitcast<i32>(_e892.member) != 0i);
-                                                if _e896 {
-                                                    let _e902 = type_36(_e875.member, _e875.member_1, (_e875.member_2 + 1u));
-                                                    let _e903 = ((_e511.member_1 & 268435455u) + _e892.member_1);
-                                                    let _e904 = (_e903 < arrayLength((&global_7.member)));
-                                                    if _e904 {
-                                                        if _e904 {
+                                                let _e1076 = phi_1231_;
+                                                let _e1078 = phi_1253_;
+                                                let _e1082 = (bitcast<i32>(_e1078.member) != 0i);
+                                                if _e1082 {
+                                                    let _e1088 = type_36(_e1061.member, _e1061.member_1, (_e1061.member_2 + 1u));
+                                                    let _e1089 = ((_e673.member_1 & 268435455u) + _e1078.member_1);
+                                                    let _e1090 = (_e1089 < arrayLength((&global_7.member)));
+                                                    if _e1090 {
+                                                        if _e1090 {
                                                         } else {
-                                                            phi_3281_ = true;
+                                                            phi_3724_ = true;
                                                             break;
                                                         }
-                                                        let _e907 = global_7.member[_e903].member_1;
-                                                        phi_978_ = _e907;
+                                                        let _e1093 = global_7.member[_e1089].member_1;
+                                                        phi_1281_ = _e1093;
                                                     } else {
-                                                        phi_978_ = 4294967295u;
+                                                        phi_1281_ = 4294967295u;
                                                     }
-                                                    let _e909 = phi_978_;
-                                                    if _e904 {
-                                                        if _e904 {
+                                                    let _e1095 = phi_1281_;
+                                                    if _e1090 {
+                                                        if _e1090 {
                                                         } else {
-                                                            phi_3281_ = true;
+                                                            phi_3724_ = true;
                                                             break;
                                                         }
-                                                        let _e911 = global_7.member[_e903];
-                                                        phi_994_ = _e911;
+                                                        let _e1097 = global_7.member[_e1089];
+                                                        phi_1297_ = _e1097;
                                                     } else {
-                                                        phi_994_ = type_47(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                        phi_1297_ = type_47(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                     }
-                                                    let _e913 = phi_994_;
-                                                    let _e925 = ((10u * _e254) & 31u);
-                                                    let _e928 = ((_e913.member[0] >> bitcast<u32>(_e925)) & 1023u);
-                                                    let _e933 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[0] - _e511.member.member[0]) * 0.0009775171f)) ^ _e120));
-                                                    let _e939 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e928) * _e933)) ^ _e120)));
-                                                    let _e943 = select(select(_e511.member.member_1[0], _e939, (_e939 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e928 == 1023u));
-                                                    let _e945 = ((10u * _e253) & 31u);
-                                                    let _e948 = ((_e913.member[0] >> bitcast<u32>(_e945)) & 1023u);
-                                                    let _e953 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[1] - _e511.member.member[1]) * 0.0009775171f)) ^ _e120));
-                                                    let _e959 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e948) * _e953)) ^ _e120)));
-                                                    let _e963 = select(select(_e511.member.member_1[1], _e959, (_e959 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e948 == 1023u));
-                                                    let _e965 = ((10u * _e255) & 31u);
-                                                    let _e968 = ((_e913.member[0] >> bitcast<u32>(_e965)) & 1023u);
-                                                    let _e973 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[2] - _e511.member.member[2]) * 0.0009775171f)) ^ _e120));
-                                                    let _e979 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e968) * _e973)) ^ _e120)));
-                                                    let _e983 = select(select(_e511.member.member_1[2], _e979, (_e979 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e968 == 1023u));
-                                                    let _e987 = ((_e913.member[1] >> bitcast<u32>(_e925)) & 1023u);
-                                                    let _e993 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e987) * _e933)) ^ _e120)));
-                                                    let _e997 = select(select(_e511.member.member_1[0], _e993, (_e993 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e987 == 1023u));
-                                                    let _e1000 = ((_e913.member[1] >> bitcast<u32>(_e945)) & 1023u);
-                                                    let _e1006 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1000) * _e953)) ^ _e120)));
-                                                    let _e1010 = select(select(_e511.member.member_1[1], _e1006, (_e1006 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e1000 == 1023u));
-                                                    let _e1013 = ((_e913.member[1] >> bitcast<u32>(_e965)) & 1023u);
-                                                    let _e1019 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1013) * _e973)) ^ _e120)));
-                                                    let _e1023 = select(select(_e511.member.member_1[2], _e1019, (_e1019 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e1013 == 1023u));
-                                                    let _e1027 = ((_e913.member[2] >> bitcast<u32>(_e925)) & 1023u);
-                                                    let _e1033 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1027) * _e933)) ^ _e120)));
-                                                    let _e1037 = select(select(_e511.member.member_1[0], _e1033, (_e1033 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e1027 == 1023u));
-                                                    let _e1040 = ((_e913.member[2] >> bitcast<u32>(_e945)) & 1023u);
-                                                    let _e1046 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1040) * _e953)) ^ _e120)));
-                                                    let _e1050 = select(select(_e511.member.member_1[1], _e1046, (_e1046 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e1040 == 1023u));
-                                                    let _e1053 = ((_e913.member[2] >> bitcast<u32>(_e965)) & 1023u);
-                                                    let _e1059 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1053) * _e973)) ^ _e120)));
-                                                    let _e1063 = select(select(_e511.member.member_1[2], _e1059, (_e1059 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e1053 == 1023u));
-                                                    let _e1068 = (_e983 - _e359);
-                                                    let _e1071 = (((_e943 - _e286) * _e383) - (_e1068 * _e311));
-                                                    let _e1074 = (((_e963 - _e323) * _e383) - (_e1068 * _e347));
-                                                    let _e1077 = (_e1023 - _e359);
-                                                    let _e1080 = (((_e997 - _e286) * _e383) - (_e1077 * _e311));
-                                                    let _e1083 = (((_e1010 - _e323) * _e383) - (_e1077 * _e347));
-                                                    let _e1086 = (_e1063 - _e359);
-                                                    let _e1089 = (((_e1037 - _e286) * _e383) - (_e1086 * _e311));
-                                                    let _e1092 = (((_e1050 - _e323) * _e383) - (_e1086 * _e347));
-                                                    let _e1093 = (_e1089 * _e1083);
-                                                    let _e1094 = (_e1092 * _e1080);
-                                                    let _e1095 = (_e1071 * _e1092);
-                                                    let _e1096 = (_e1074 * _e1089);
-                                                    let _e1097 = (_e1080 * _e1074);
-                                                    let _e1098 = (_e1083 * _e1071);
-                                                    let _e1103 = (((_e1093 >= _e1094) && (_e1095 >= _e1096)) && (_e1097 >= _e1098));
-                                                    if (_e1103 || (((_e1093 <= _e1094) && (_e1095 <= _e1096)) && (_e1097 <= _e1098))) {
-                                                        let _e1110 = select(-1f, 1f, _e1103);
-                                                        let _e1112 = ((_e1093 - _e1094) * _e1110);
-                                                        let _e1114 = select(0f, _e1112, (_e1112 > 0f));
-                                                        let _e1116 = ((_e1095 - _e1096) * _e1110);
-                                                        let _e1118 = select(0f, _e1116, (_e1116 > 0f));
-                                                        let _e1120 = ((_e1097 - _e1098) * _e1110);
-                                                        let _e1122 = select(0f, _e1120, (_e1120 > 0f));
-                                                        let _e1124 = ((_e1114 + _e1118) + _e1122);
-                                                        if (_e1124 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2054_ = type_19();
-                                                            phi_2055_ = true;
-                                                            phi_2056_ = false;
+                                                    let _e1099 = phi_1297_;
+                                                    let _e1111 = ((10u * _e261) & 31u);
+                                                    let _e1114 = ((_e1099.member[0] >> bitcast<u32>(_e1111)) & 1023u);
+                                                    let _e1122 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[0] - _e673.member.member[0]) * 0.0009775171f)) ^ _e127));
+                                                    let _e1127 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1114)) - 8388608f) * _e1122)) ^ _e127)));
+                                                    let _e1131 = select(select(_e673.member.member_1[0], _e1127, (_e1127 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1114 == 1023u));
+                                                    let _e1133 = ((10u * _e260) & 31u);
+                                                    let _e1136 = ((_e1099.member[0] >> bitcast<u32>(_e1133)) & 1023u);
+                                                    let _e1144 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[1] - _e673.member.member[1]) * 0.0009775171f)) ^ _e127));
+                                                    let _e1149 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1136)) - 8388608f) * _e1144)) ^ _e127)));
+                                                    let _e1153 = select(select(_e673.member.member_1[1], _e1149, (_e1149 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1136 == 1023u));
+                                                    let _e1155 = ((10u * _e262) & 31u);
+                                                    let _e1158 = ((_e1099.member[0] >> bitcast<u32>(_e1155)) & 1023u);
+                                                    let _e1166 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[2] - _e673.member.member[2]) * 0.0009775171f)) ^ _e127));
+                                                    let _e1171 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1158)) - 8388608f) * _e1166)) ^ _e127)));
+                                                    let _e1175 = select(select(_e673.member.member_1[2], _e1171, (_e1171 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1158 == 1023u));
+                                                    let _e1179 = ((_e1099.member[1] >> bitcast<u32>(_e1111)) & 1023u);
+                                                    let _e1187 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1179)) - 8388608f) * _e1122)) ^ _e127)));
+                                                    let _e1191 = select(select(_e673.member.member_1[0], _e1187, (_e1187 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1179 == 1023u));
+                                                    let _e1194 = ((_e1099.member[1] >> bitcast<u32>(_e1133)) & 1023u);
+                                                    let _e1202 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1194)) - 8388608f) * _e1144)) ^ _e127)));
+                                                    let _e1206 = select(select(_e673.member.member_1[1], _e1202, (_e1202 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1194 == 1023u));
+                                                    let _e1209 = ((_e1099.member[1] >> bitcast<u32>(_e1155)) & 1023u);
+                                                    let _e1217 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1209)) - 8388608f) * _e1166)) ^ _e127)));
+                                                    let _e1221 = select(select(_e673.member.member_1[2], _e1217, (_e1217 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1209 == 1023u));
+                                                    let _e1225 = ((_e1099.member[2] >> bitcast<u32>(_e1111)) & 1023u);
+                                                    let _e1233 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1225)) - 8388608f) * _e1122)) ^ _e127)));
+                                                    let _e1237 = select(select(_e673.member.member_1[0], _e1233, (_e1233 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1225 == 1023u));
+                                                    let _e1240 = ((_e1099.member[2] >> bitcast<u32>(_e1133)) & 1023u);
+                                                    let _e1248 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1240)) - 8388608f) * _e1144)) ^ _e127)));
+                                                    let _e1252 = select(select(_e673.member.member_1[1], _e1248, (_e1248 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1240 == 1023u));
+                                                    let _e1255 = ((_e1099.member[2] >> bitcast<u32>(_e1155)) & 1023u);
+                                                    let _e1263 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1255)) - 8388608f) * _e1166)) ^ _e127)));
+                                                    let _e1267 = select(select(_e673.member.member_1[2], _e1263, (_e1263 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1255 == 1023u));
+                                                    let _e1272 = (_e1175 - _e441);
+                                                    let _e1275 = (((_e1131 - _e308) * _e480) - (_e1272 * _e348));
+                                                    let _e1278 = (((_e1153 - _e375) * _e480) - (_e1272 * _e414));
+                                                    let _e1281 = (_e1221 - _e441);
+                                                    let _e1284 = (((_e1191 - _e308) * _e480) - (_e1281 * _e348));
+                                                    let _e1287 = (((_e1206 - _e375) * _e480) - (_e1281 * _e414));
+                                                    let _e1290 = (_e1267 - _e441);
+                                                    let _e1293 = (((_e1237 - _e308) * _e480) - (_e1290 * _e348));
+                                                    let _e1296 = (((_e1252 - _e375) * _e480) - (_e1290 * _e414));
+                                                    let _e1297 = (_e1293 * _e1287);
+                                                    let _e1298 = (_e1296 * _e1284);
+                                                    let _e1299 = (_e1275 * _e1296);
+                                                    let _e1300 = (_e1278 * _e1293);
+                                                    let _e1301 = (_e1284 * _e1278);
+                                                    let _e1302 = (_e1287 * _e1275);
+                                                    let _e1307 = (((_e1297 >= _e1298) && (_e1299 >= _e1300)) && (_e1301 >= _e1302));
+                                                    if (_e1307 || (((_e1297 <= _e1298) && (_e1299 <= _e1300)) && (_e1301 <= _e1302))) {
+                                                        let _e1314 = select(-1f, 1f, _e1307);
+                                                        let _e1316 = ((_e1297 - _e1298) * _e1314);
+                                                        let _e1318 = select(0f, _e1316, (_e1316 > 0f));
+                                                        let _e1320 = ((_e1299 - _e1300) * _e1314);
+                                                        let _e1322 = select(0f, _e1320, (_e1320 > 0f));
+                                                        let _e1324 = ((_e1301 - _e1302) * _e1314);
+                                                        let _e1326 = select(0f, _e1324, (_e1324 > 0f));
+                                                        let _e1328 = ((_e1318 + _e1322) + _e1326);
+                                                        if (_e1328 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2375_ = type_19();
+                                                            phi_2376_ = true;
+                                                            phi_2377_ = false;
                                                         } else {
-                                                            let _e1127 = select(_e1080, _e1071, (_e1071 < _e1080));
-                                                            if (select(_e1089, _e1127, (_e1127 < _e1089)) > 0f) {
-                                                                phi_1370_ = true;
+                                                            let _e1331 = select(_e1284, _e1275, (_e1275 < _e1284));
+                                                            if (select(_e1293, _e1331, (_e1331 < _e1293)) > 0f) {
+                                                                phi_1691_ = true;
                                                             } else {
-                                                                let _e1132 = select(_e1080, _e1071, (_e1071 > _e1080));
-                                                                phi_1370_ = (select(_e1089, _e1132, (_e1132 > _e1089)) < 0f);
+                                                                let _e1336 = select(_e1284, _e1275, (_e1275 > _e1284));
+                                                                phi_1691_ = (select(_e1293, _e1336, (_e1336 > _e1293)) < 0f);
                                                             }
-                                                            let _e1137 = phi_1370_;
-                                                            if _e1137 {
-                                                                phi_2051_ = type_19();
-                                                                phi_2052_ = true;
-                                                                phi_2053_ = false;
+                                                            let _e1341 = phi_1691_;
+                                                            if _e1341 {
+                                                                phi_2372_ = type_19();
+                                                                phi_2373_ = true;
+                                                                phi_2374_ = false;
                                                             } else {
-                                                                let _e1139 = select(_e1083, _e1074, (_e1074 < _e1083));
-                                                                if (select(_e1092, _e1139, (_e1139 < _e1092)) > 0f) {
-                                                                    phi_1399_ = true;
+                                                                let _e1343 = select(_e1287, _e1278, (_e1278 < _e1287));
+                                                                if (select(_e1296, _e1343, (_e1343 < _e1296)) > 0f) {
+                                                                    phi_1720_ = true;
                                                                 } else {
-                                                                    let _e1144 = select(_e1083, _e1074, (_e1074 > _e1083));
-                                                                    phi_1399_ = (select(_e1092, _e1144, (_e1144 > _e1092)) < 0f);
+                                                                    let _e1348 = select(_e1287, _e1278, (_e1278 > _e1287));
+                                                                    phi_1720_ = (select(_e1296, _e1348, (_e1348 > _e1296)) < 0f);
                                                                 }
-                                                                let _e1149 = phi_1399_;
-                                                                if _e1149 {
-                                                                    phi_2049_ = type_19();
-                                                                    phi_2050_ = false;
+                                                                let _e1353 = phi_1720_;
+                                                                if _e1353 {
+                                                                    phi_2370_ = type_19();
+                                                                    phi_2371_ = false;
                                                                 } else {
-                                                                    let _e1151 = select(_e997, _e943, (_e943 < _e997));
-                                                                    let _e1155 = select(_e997, _e943, (_e943 > _e997));
-                                                                    let _e1159 = select(_e1010, _e963, (_e963 < _e1010));
-                                                                    let _e1163 = select(_e1010, _e963, (_e963 > _e1010));
-                                                                    let _e1167 = select(_e1023, _e983, (_e983 < _e1023));
-                                                                    let _e1171 = select(_e1023, _e983, (_e983 > _e1023));
-                                                                    let _e1176 = ((select(_e1037, _e1151, (_e1151 < _e1037)) - _e309) * _e314);
-                                                                    let _e1177 = ((select(_e1037, _e1155, (_e1155 > _e1037)) - _e310) * _e314);
-                                                                    let _e1180 = ((select(_e1050, _e1159, (_e1159 < _e1050)) - _e345) * _e350);
-                                                                    let _e1181 = ((select(_e1050, _e1163, (_e1163 > _e1050)) - _e346) * _e350);
-                                                                    let _e1184 = ((select(_e1063, _e1167, (_e1167 < _e1063)) - _e381) * _e386);
-                                                                    let _e1185 = ((select(_e1063, _e1171, (_e1171 > _e1063)) - _e382) * _e386);
-                                                                    let _e1187 = select(_e1185, _e1184, (_e1184 < _e1185));
-                                                                    let _e1189 = select(_e1185, _e1184, (_e1184 > _e1185));
-                                                                    let _e1191 = select(_e1177, _e1176, (_e1176 < _e1177));
-                                                                    let _e1193 = select(_e1181, _e1180, (_e1180 < _e1181));
-                                                                    let _e1195 = select(_e1193, _e1191, (_e1191 > _e1193));
-                                                                    let _e1197 = select(_e1187, _e1195, (_e1195 > _e1187));
-                                                                    let _e1199 = select(_e1177, _e1176, (_e1176 > _e1177));
-                                                                    let _e1201 = select(_e1181, _e1180, (_e1180 > _e1181));
-                                                                    let _e1203 = select(_e1201, _e1199, (_e1199 < _e1201));
-                                                                    let _e1205 = select(_e1189, _e1203, (_e1203 < _e1189));
-                                                                    let _e1206 = -(_e1187);
-                                                                    let _e1212 = select(_e432, _e1197, (_e1197 > _e432));
-                                                                    if (_e1212 > (_e1205 + (select(_e1206, _e1189, (_e1189 > _e1206)) * 0.0000019073523f))) {
-                                                                        phi_2044_ = type_19();
-                                                                        phi_2045_ = true;
+                                                                    let _e1355 = select(_e1191, _e1131, (_e1131 < _e1191));
+                                                                    let _e1359 = select(_e1191, _e1131, (_e1131 > _e1191));
+                                                                    let _e1363 = select(_e1206, _e1153, (_e1153 < _e1206));
+                                                                    let _e1367 = select(_e1206, _e1153, (_e1153 > _e1206));
+                                                                    let _e1371 = select(_e1221, _e1175, (_e1175 < _e1221));
+                                                                    let _e1375 = select(_e1221, _e1175, (_e1175 > _e1221));
+                                                                    let _e1380 = ((select(_e1237, _e1355, (_e1355 < _e1237)) - _e346) * _e351);
+                                                                    let _e1381 = ((select(_e1237, _e1359, (_e1359 > _e1237)) - _e347) * _e351);
+                                                                    let _e1384 = ((select(_e1252, _e1363, (_e1363 < _e1252)) - _e412) * _e417);
+                                                                    let _e1385 = ((select(_e1252, _e1367, (_e1367 > _e1252)) - _e413) * _e417);
+                                                                    let _e1388 = ((select(_e1267, _e1371, (_e1371 < _e1267)) - _e478) * _e483);
+                                                                    let _e1389 = ((select(_e1267, _e1375, (_e1375 > _e1267)) - _e479) * _e483);
+                                                                    let _e1391 = select(_e1389, _e1388, (_e1388 < _e1389));
+                                                                    let _e1393 = select(_e1389, _e1388, (_e1388 > _e1389));
+                                                                    let _e1395 = select(_e1381, _e1380, (_e1380 < _e1381));
+                                                                    let _e1397 = select(_e1385, _e1384, (_e1384 < _e1385));
+                                                                    let _e1399 = select(_e1397, _e1395, (_e1395 > _e1397));
+                                                                    let _e1401 = select(_e1391, _e1399, (_e1399 > _e1391));
+                                                                    let _e1403 = select(_e1381, _e1380, (_e1380 > _e1381));
+                                                                    let _e1405 = select(_e1385, _e1384, (_e1384 > _e1385));
+                                                                    let _e1407 = select(_e1405, _e1403, (_e1403 < _e1405));
+                                                                    let _e1409 = select(_e1393, _e1407, (_e1407 < _e1393));
+                                                                    let _e1410 = -(_e1391);
+                                                                    let _e1416 = select(_e594, _e1401, (_e1401 > _e594));
+                                                                    if (_e1416 > (_e1409 + (select(_e1410, _e1393, (_e1393 > _e1410)) * 0.0000019073523f))) {
+                                                                        phi_2365_ = type_19();
+                                                                        phi_2366_ = true;
                                                                     } else {
-                                                                        let _e1214 = (_e1212 > _e875.member.member_1);
-                                                                        if _e1214 {
-                                                                            phi_2043_ = type_19();
+                                                                        let _e1418 = (_e1416 > _e1061.member.member_1);
+                                                                        if _e1418 {
+                                                                            phi_2364_ = type_19();
                                                                         } else {
-                                                                            let _e1215 = vec3<f32>(_e943, _e963, _e983);
-                                                                            let _e1216 = vec3<f32>(_e997, _e1010, _e1023);
-                                                                            let _e1217 = vec3<f32>(_e1037, _e1050, _e1063);
-                                                                            let _e1218 = (_e997 - _e943);
-                                                                            let _e1219 = (_e1010 - _e963);
-                                                                            let _e1220 = (_e1023 - _e983);
-                                                                            let _e1221 = vec3<f32>(_e1218, _e1219, _e1220);
-                                                                            let _e1222 = (_e1037 - _e997);
-                                                                            let _e1223 = (_e1050 - _e1010);
-                                                                            let _e1224 = (_e1063 - _e1023);
-                                                                            let _e1225 = vec3<f32>(_e1222, _e1223, _e1224);
-                                                                            let _e1226 = (_e943 - _e1037);
-                                                                            let _e1227 = (_e963 - _e1050);
-                                                                            let _e1228 = (_e983 - _e1063);
-                                                                            let _e1229 = vec3<f32>(_e1226, _e1227, _e1228);
-                                                                            let _e1232 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
-                                                                            let _e1235 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
-                                                                            let _e1237 = select(_e1235, _e1232, (_e1232 > _e1235));
-                                                                            let _e1240 = bitcast<f32>((bitcast<u32>(_e1220) & 2147483647u));
-                                                                            let _e1242 = select(_e1240, _e1237, (_e1237 > _e1240));
-                                                                            let _e1245 = bitcast<f32>((bitcast<u32>(_e1222) & 2147483647u));
-                                                                            let _e1248 = bitcast<f32>((bitcast<u32>(_e1223) & 2147483647u));
-                                                                            let _e1250 = select(_e1248, _e1245, (_e1245 > _e1248));
-                                                                            let _e1253 = bitcast<f32>((bitcast<u32>(_e1224) & 2147483647u));
-                                                                            let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
-                                                                            let _e1258 = bitcast<f32>((bitcast<u32>(_e1226) & 2147483647u));
-                                                                            let _e1261 = bitcast<f32>((bitcast<u32>(_e1227) & 2147483647u));
-                                                                            let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
-                                                                            let _e1266 = bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u));
-                                                                            let _e1268 = select(_e1266, _e1263, (_e1263 > _e1266));
-                                                                            let _e1270 = select(_e1255, _e1242, (_e1242 > _e1255));
-                                                                            let _e1272 = select(_e1268, _e1270, (_e1270 > _e1268));
-                                                                            if (_e1242 == _e1272) {
-                                                                                phi_1776_ = _e1083;
-                                                                                phi_1777_ = _e1080;
-                                                                                phi_1778_ = _e1074;
-                                                                                phi_1779_ = _e1071;
-                                                                                phi_1780_ = _e1215;
-                                                                                phi_1781_ = _e1229;
-                                                                                phi_1782_ = _e1225;
-                                                                                phi_1783_ = _e1221;
+                                                                            let _e1419 = vec3<f32>(_e1131, _e1153, _e1175);
+                                                                            let _e1420 = vec3<f32>(_e1191, _e1206, _e1221);
+                                                                            let _e1421 = vec3<f32>(_e1237, _e1252, _e1267);
+                                                                            let _e1422 = (_e1191 - _e1131);
+                                                                            let _e1423 = (_e1206 - _e1153);
+                                                                            let _e1424 = (_e1221 - _e1175);
+                                                                            let _e1425 = vec3<f32>(_e1422, _e1423, _e1424);
+                                                                            let _e1426 = (_e1237 - _e1191);
+                                                                            let _e1427 = (_e1252 - _e1206);
+                                                                            let _e1428 = (_e1267 - _e1221);
+                                                                            let _e1429 = vec3<f32>(_e1426, _e1427, _e1428);
+                                                                            let _e1430 = (_e1131 - _e1237);
+                                                                            let _e1431 = (_e1153 - _e1252);
+                                                                            let _e1432 = (_e1175 - _e1267);
+                                                                            let _e1433 = vec3<f32>(_e1430, _e1431, _e1432);
+                                                                            let _e1436 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
+                                                                            let _e1439 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
+                                                                            let _e1441 = select(_e1439, _e1436, (_e1436 > _e1439));
+                                                                            let _e1444 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
+                                                                            let _e1446 = select(_e1444, _e1441, (_e1441 > _e1444));
+                                                                            let _e1449 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
+                                                                            let _e1452 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                                            let _e1454 = select(_e1452, _e1449, (_e1449 > _e1452));
+                                                                            let _e1457 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
+                                                                            let _e1459 = select(_e1457, _e1454, (_e1454 > _e1457));
+                                                                            let _e1462 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
+                                                                            let _e1465 = bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u));
+                                                                            let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
+                                                                            let _e1470 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
+                                                                            let _e1472 = select(_e1470, _e1467, (_e1467 > _e1470));
+                                                                            let _e1474 = select(_e1459, _e1446, (_e1446 > _e1459));
+                                                                            let _e1476 = select(_e1472, _e1474, (_e1474 > _e1472));
+                                                                            if (_e1446 == _e1476) {
+                                                                                phi_2097_ = _e1287;
+                                                                                phi_2098_ = _e1284;
+                                                                                phi_2099_ = _e1278;
+                                                                                phi_2100_ = _e1275;
+                                                                                phi_2101_ = _e1419;
+                                                                                phi_2102_ = _e1433;
+                                                                                phi_2103_ = _e1429;
+                                                                                phi_2104_ = _e1425;
                                                                             } else {
-                                                                                let _e1274 = (_e1255 == _e1272);
-                                                                                let _e1279 = vec3(_e1274);
-                                                                                phi_1776_ = select(_e1074, _e1092, _e1274);
-                                                                                phi_1777_ = select(_e1071, _e1089, _e1274);
-                                                                                phi_1778_ = select(_e1092, _e1083, _e1274);
-                                                                                phi_1779_ = select(_e1089, _e1080, _e1274);
-                                                                                phi_1780_ = select(_e1217, _e1216, _e1279);
-                                                                                phi_1781_ = select(_e1225, _e1221, _e1279);
-                                                                                phi_1782_ = select(_e1221, _e1229, _e1279);
-                                                                                phi_1783_ = select(_e1229, _e1225, _e1279);
+                                                                                let _e1478 = (_e1459 == _e1476);
+                                                                                let _e1483 = vec3(_e1478);
+                                                                                phi_2097_ = select(_e1278, _e1296, _e1478);
+                                                                                phi_2098_ = select(_e1275, _e1293, _e1478);
+                                                                                phi_2099_ = select(_e1296, _e1287, _e1478);
+                                                                                phi_2100_ = select(_e1293, _e1284, _e1478);
+                                                                                phi_2101_ = select(_e1421, _e1420, _e1483);
+                                                                                phi_2102_ = select(_e1429, _e1425, _e1483);
+                                                                                phi_2103_ = select(_e1425, _e1433, _e1483);
+                                                                                phi_2104_ = select(_e1433, _e1429, _e1483);
                                                                             }
-                                                                            let _e1285 = phi_1776_;
-                                                                            let _e1287 = phi_1777_;
-                                                                            let _e1289 = phi_1778_;
-                                                                            let _e1291 = phi_1779_;
-                                                                            let _e1293 = phi_1780_;
-                                                                            let _e1295 = phi_1781_;
-                                                                            let _e1297 = phi_1782_;
-                                                                            let _e1299 = phi_1783_;
-                                                                            let _e1306 = ((_e1297.y * _e1295.z) - (_e1295.y * _e1297.z));
-                                                                            let _e1311 = ((_e1297.z * _e1295.x) - (_e1295.z * _e1297.x));
-                                                                            let _e1314 = ((_e1297.x * _e1295.y) - (_e1295.x * _e1297.y));
-                                                                            if (_e1114 >= _e1118) {
-                                                                                phi_1814_ = select(true, false, (_e1114 >= _e1122));
+                                                                            let _e1489 = phi_2097_;
+                                                                            let _e1491 = phi_2098_;
+                                                                            let _e1493 = phi_2099_;
+                                                                            let _e1495 = phi_2100_;
+                                                                            let _e1497 = phi_2101_;
+                                                                            let _e1499 = phi_2102_;
+                                                                            let _e1501 = phi_2103_;
+                                                                            let _e1503 = phi_2104_;
+                                                                            let _e1510 = ((_e1501.y * _e1499.z) - (_e1499.y * _e1501.z));
+                                                                            let _e1515 = ((_e1501.z * _e1499.x) - (_e1499.z * _e1501.x));
+                                                                            let _e1518 = ((_e1501.x * _e1499.y) - (_e1499.x * _e1501.y));
+                                                                            if (_e1318 >= _e1322) {
+                                                                                phi_2135_ = select(true, false, (_e1318 >= _e1326));
                                                                             } else {
-                                                                                phi_1814_ = true;
+                                                                                phi_2135_ = true;
                                                                             }
-                                                                            let _e1319 = phi_1814_;
-                                                                            if _e1319 {
-                                                                                phi_1823_ = select(_e1217, _e1216, vec3((_e1118 >= _e1122)));
+                                                                            let _e1523 = phi_2135_;
+                                                                            if _e1523 {
+                                                                                phi_2144_ = select(_e1421, _e1420, vec3((_e1322 >= _e1326)));
                                                                             } else {
-                                                                                phi_1823_ = _e1215;
+                                                                                phi_2144_ = _e1419;
                                                                             }
-                                                                            let _e1324 = phi_1823_;
-                                                                            let _e1335 = (((_e1306 * (_e1324.x - _e286)) + (_e1311 * (_e1324.y - _e323))) + (_e1314 * (_e1324.z - _e359)));
-                                                                            let _e1340 = (((_e1306 * _e311) + (_e1311 * _e347)) + (_e1314 * _e383));
-                                                                            let _e1341 = (_e1287 - _e1291);
-                                                                            let _e1342 = (_e1285 - _e1289);
-                                                                            let _e1350 = (-(((_e1291 * _e1341) + (_e1289 * _e1342))) / ((_e1341 * _e1341) + (_e1342 * _e1342)));
-                                                                            let _e1352 = select(1f, _e1350, (_e1350 < 1f));
-                                                                            let _e1354 = select(0f, _e1352, (_e1352 > 0f));
-                                                                            let _e1367 = ((_e1293.x + (_e1299.x * _e1354)) - _e286);
-                                                                            let _e1368 = ((_e1293.y + (_e1299.y * _e1354)) - _e323);
-                                                                            let _e1369 = ((_e1293.z + (_e1299.z * _e1354)) - _e359);
-                                                                            let _e1370 = (_e1369 / _e383);
-                                                                            let _e1382 = bitcast<f32>((bitcast<u32>(_e1367) & 2147483647u));
-                                                                            let _e1385 = bitcast<f32>((bitcast<u32>(_e1368) & 2147483647u));
-                                                                            let _e1387 = select(_e1385, _e1382, (_e1382 > _e1385));
-                                                                            let _e1390 = bitcast<f32>((bitcast<u32>(_e1369) & 2147483647u));
-                                                                            let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
-                                                                            let _e1398 = bitcast<f32>((bitcast<u32>(_e1306) & 2147483647u));
-                                                                            let _e1401 = bitcast<f32>((bitcast<u32>(_e1311) & 2147483647u));
-                                                                            let _e1403 = select(_e1401, _e1398, (_e1398 > _e1401));
-                                                                            let _e1406 = bitcast<f32>((bitcast<u32>(_e1314) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1306 * _e1367) + (_e1311 * _e1368)) + (_e1314 * _e1369)) - _e1335)) & 2147483647u)) <= ((0.0000009536743f * select(_e1272, _e1392, (_e1392 > _e1272))) * select(_e1406, _e1403, (_e1403 > _e1406)))) {
-                                                                                let _e1416 = bitcast<f32>((bitcast<u32>(_e1297.x) & 2147483647u));
-                                                                                let _e1419 = bitcast<f32>((bitcast<u32>(_e1297.y) & 2147483647u));
-                                                                                let _e1421 = select(_e1419, _e1416, (_e1416 > _e1419));
-                                                                                let _e1424 = bitcast<f32>((bitcast<u32>(_e1297.z) & 2147483647u));
-                                                                                let _e1430 = bitcast<f32>((bitcast<u32>(_e1295.x) & 2147483647u));
-                                                                                let _e1433 = bitcast<f32>((bitcast<u32>(_e1295.y) & 2147483647u));
-                                                                                let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
-                                                                                let _e1438 = bitcast<f32>((bitcast<u32>(_e1295.z) & 2147483647u));
-                                                                                let _e1442 = (bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u)) > ((0.0000038146973f * select(_e1424, _e1421, (_e1421 > _e1424))) * select(_e1438, _e1435, (_e1435 > _e1438))));
-                                                                                if _e1442 {
-                                                                                    phi_1988_ = (_e1335 / _e1340);
+                                                                            let _e1528 = phi_2144_;
+                                                                            let _e1539 = (((_e1510 * (_e1528.x - _e308)) + (_e1515 * (_e1528.y - _e375))) + (_e1518 * (_e1528.z - _e441)));
+                                                                            let _e1544 = (((_e1510 * _e348) + (_e1515 * _e414)) + (_e1518 * _e480));
+                                                                            let _e1545 = (_e1491 - _e1495);
+                                                                            let _e1546 = (_e1489 - _e1493);
+                                                                            let _e1554 = (-(((_e1495 * _e1545) + (_e1493 * _e1546))) / ((_e1545 * _e1545) + (_e1546 * _e1546)));
+                                                                            let _e1556 = select(1f, _e1554, (_e1554 < 1f));
+                                                                            let _e1558 = select(0f, _e1556, (_e1556 > 0f));
+                                                                            let _e1571 = ((_e1497.x + (_e1503.x * _e1558)) - _e308);
+                                                                            let _e1572 = ((_e1497.y + (_e1503.y * _e1558)) - _e375);
+                                                                            let _e1573 = ((_e1497.z + (_e1503.z * _e1558)) - _e441);
+                                                                            let _e1574 = (_e1573 / _e480);
+                                                                            let _e1586 = bitcast<f32>((bitcast<u32>(_e1571) & 2147483647u));
+                                                                            let _e1589 = bitcast<f32>((bitcast<u32>(_e1572) & 2147483647u));
+                                                                            let _e1591 = select(_e1589, _e1586, (_e1586 > _e1589));
+                                                                            let _e1594 = bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u));
+                                                                            let _e1596 = select(_e1594, _e1591, (_e1591 > _e1594));
+                                                                            let _e1602 = bitcast<f32>((bitcast<u32>(_e1510) & 2147483647u));
+                                                                            let _e1605 = bitcast<f32>((bitcast<u32>(_e1515) & 2147483647u));
+                                                                            let _e1607 = select(_e1605, _e1602, (_e1602 > _e1605));
+                                                                            let _e1610 = bitcast<f32>((bitcast<u32>(_e1518) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1510 * _e1571) + (_e1515 * _e1572)) + (_e1518 * _e1573)) - _e1539)) & 2147483647u)) <= ((0.0000009536743f * select(_e1476, _e1596, (_e1596 > _e1476))) * select(_e1610, _e1607, (_e1607 > _e1610)))) {
+                                                                                let _e1620 = bitcast<f32>((bitcast<u32>(_e1501.x) & 2147483647u));
+                                                                                let _e1623 = bitcast<f32>((bitcast<u32>(_e1501.y) & 2147483647u));
+                                                                                let _e1625 = select(_e1623, _e1620, (_e1620 > _e1623));
+                                                                                let _e1628 = bitcast<f32>((bitcast<u32>(_e1501.z) & 2147483647u));
+                                                                                let _e1634 = bitcast<f32>((bitcast<u32>(_e1499.x) & 2147483647u));
+                                                                                let _e1637 = bitcast<f32>((bitcast<u32>(_e1499.y) & 2147483647u));
+                                                                                let _e1639 = select(_e1637, _e1634, (_e1634 > _e1637));
+                                                                                let _e1642 = bitcast<f32>((bitcast<u32>(_e1499.z) & 2147483647u));
+                                                                                let _e1646 = (bitcast<f32>((bitcast<u32>(_e1544) & 2147483647u)) > ((0.0000038146973f * select(_e1628, _e1625, (_e1625 > _e1628))) * select(_e1642, _e1639, (_e1639 > _e1642))));
+                                                                                if _e1646 {
+                                                                                    phi_2309_ = (_e1539 / _e1544);
                                                                                 } else {
-                                                                                    phi_1988_ = f32();
+                                                                                    phi_2309_ = f32();
                                                                                 }
-                                                                                let _e1445 = phi_1988_;
-                                                                                phi_1990_ = _e1445;
-                                                                                phi_1991_ = select(true, false, _e1442);
+                                                                                let _e1649 = phi_2309_;
+                                                                                phi_2311_ = _e1649;
+                                                                                phi_2312_ = select(true, false, _e1646);
                                                                             } else {
-                                                                                phi_1990_ = f32();
-                                                                                phi_1991_ = true;
+                                                                                phi_2311_ = f32();
+                                                                                phi_2312_ = true;
                                                                             }
-                                                                            let _e1448 = phi_1990_;
-                                                                            let _e1450 = phi_1991_;
-                                                                            if _e1450 {
-                                                                                let _e1458 = (((_e1306 * (_e1367 - (_e311 * _e1370))) + (_e1311 * (_e1368 - (_e347 * _e1370)))) / _e1340);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1458) & 2147483647u)) <= _e1272) {
-                                                                                    phi_2011_ = (_e1370 + _e1458);
+                                                                            let _e1652 = phi_2311_;
+                                                                            let _e1654 = phi_2312_;
+                                                                            if _e1654 {
+                                                                                let _e1662 = (((_e1510 * (_e1571 - (_e348 * _e1574))) + (_e1515 * (_e1572 - (_e414 * _e1574)))) / _e1544);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1662) & 2147483647u)) <= _e1476) {
+                                                                                    phi_2332_ = (_e1574 + _e1662);
                                                                                 } else {
-                                                                                    phi_2011_ = _e1370;
+                                                                                    phi_2332_ = _e1574;
                                                                                 }
-                                                                                let _e1465 = phi_2011_;
-                                                                                phi_2012_ = _e1465;
+                                                                                let _e1669 = phi_2332_;
+                                                                                phi_2333_ = _e1669;
                                                                             } else {
-                                                                                phi_2012_ = _e1448;
+                                                                                phi_2333_ = _e1652;
                                                                             }
-                                                                            let _e1467 = phi_2012_;
-                                                                            let _e1469 = select(_e1205, _e1467, (_e1467 < _e1205));
-                                                                            let _e1471 = select(_e1197, _e1469, (_e1469 > _e1197));
-                                                                            if (_e1471 >= _e432) {
-                                                                                let _e1473 = (_e1471 <= _e875.member.member_1);
-                                                                                if _e1473 {
-                                                                                    let _e1474 = (1f / _e1124);
-                                                                                    phi_2035_ = type_19(_e1471, (_e1118 * _e1474), (_e1122 * _e1474), _e909);
+                                                                            let _e1671 = phi_2333_;
+                                                                            let _e1673 = select(_e1409, _e1671, (_e1671 < _e1409));
+                                                                            let _e1675 = select(_e1401, _e1673, (_e1673 > _e1401));
+                                                                            if (_e1675 >= _e594) {
+                                                                                let _e1677 = (_e1675 <= _e1061.member.member_1);
+                                                                                if _e1677 {
+                                                                                    let _e1678 = (1f / _e1328);
+                                                                                    phi_2356_ = type_19(_e1675, (_e1322 * _e1678), (_e1326 * _e1678), _e1095);
                                                                                 } else {
-                                                                                    phi_2035_ = type_19();
+                                                                                    phi_2356_ = type_19();
                                                                                 }
-                                                                                let _e1479 = phi_2035_;
-                                                                                phi_2037_ = _e1479;
-                                                                                phi_2038_ = select(true, false, _e1473);
+                                                                                let _e1683 = phi_2356_;
+                                                                                phi_2358_ = _e1683;
+                                                                                phi_2359_ = select(true, false, _e1677);
                                                                             } else {
-                                                                                phi_2037_ = type_19();
-                                                                                phi_2038_ = true;
+                                                                                phi_2358_ = type_19();
+                                                                                phi_2359_ = true;
                                                                             }
-                                                                            let _e1482 = phi_2037_;
-                                                                            let _e1484 = phi_2038_;
-                                                                            if _e1484 {
-                                                                                phi_2042_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e1686 = phi_2358_;
+                                                                            let _e1688 = phi_2359_;
+                                                                            if _e1688 {
+                                                                                phi_2363_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2042_ = _e1482;
+                                                                                phi_2363_ = _e1686;
                                                                             }
-                                                                            let _e1486 = phi_2042_;
-                                                                            phi_2043_ = _e1486;
+                                                                            let _e1690 = phi_2363_;
+                                                                            phi_2364_ = _e1690;
                                                                         }
-                                                                        let _e1488 = phi_2043_;
-                                                                        phi_2044_ = _e1488;
-                                                                        phi_2045_ = _e1214;
+                                                                        let _e1692 = phi_2364_;
+                                                                        phi_2365_ = _e1692;
+                                                                        phi_2366_ = _e1418;
                                                                     }
-                                                                    let _e1490 = phi_2044_;
-                                                                    let _e1492 = phi_2045_;
-                                                                    phi_2049_ = _e1490;
-                                                                    phi_2050_ = _e1492;
+                                                                    let _e1694 = phi_2365_;
+                                                                    let _e1696 = phi_2366_;
+                                                                    phi_2370_ = _e1694;
+                                                                    phi_2371_ = _e1696;
                                                                 }
-                                                                let _e1494 = phi_2049_;
-                                                                let _e1496 = phi_2050_;
-                                                                phi_2051_ = _e1494;
-                                                                phi_2052_ = _e1149;
-                                                                phi_2053_ = _e1496;
+                                                                let _e1698 = phi_2370_;
+                                                                let _e1700 = phi_2371_;
+                                                                phi_2372_ = _e1698;
+                                                                phi_2373_ = _e1353;
+                                                                phi_2374_ = _e1700;
                                                             }
-                                                            let _e1498 = phi_2051_;
-                                                            let _e1500 = phi_2052_;
-                                                            let _e1502 = phi_2053_;
-                                                            phi_2054_ = _e1498;
-                                                            phi_2055_ = _e1500;
-                                                            phi_2056_ = _e1502;
+                                                            let _e1702 = phi_2372_;
+                                                            let _e1704 = phi_2373_;
+                                                            let _e1706 = phi_2374_;
+                                                            phi_2375_ = _e1702;
+                                                            phi_2376_ = _e1704;
+                                                            phi_2377_ = _e1706;
                                                         }
-                                                        let _e1504 = phi_2054_;
-                                                        let _e1506 = phi_2055_;
-                                                        let _e1508 = phi_2056_;
-                                                        phi_2064_ = _e1504;
-                                                        phi_2065_ = select(_e1508, true, _e1506);
+                                                        let _e1708 = phi_2375_;
+                                                        let _e1710 = phi_2376_;
+                                                        let _e1712 = phi_2377_;
+                                                        phi_2385_ = _e1708;
+                                                        phi_2386_ = select(_e1712, true, _e1710);
                                                     } else {
-                                                        phi_2064_ = type_19();
-                                                        phi_2065_ = true;
+                                                        phi_2385_ = type_19();
+                                                        phi_2386_ = true;
                                                     }
-                                                    let _e1511 = phi_2064_;
-                                                    let _e1513 = phi_2065_;
-                                                    if _e1513 {
-                                                        phi_2069_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1715 = phi_2385_;
+                                                    let _e1717 = phi_2386_;
+                                                    if _e1717 {
+                                                        phi_2390_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2069_ = _e1511;
+                                                        phi_2390_ = _e1715;
                                                     }
-                                                    let _e1515 = phi_2069_;
-                                                    if (_e1515.member_3 != 4294967295u) {
-                                                        if (_e909 != _e438) {
-                                                            if (_e1515.member < _e875.member.member.member) {
-                                                                phi_2095_ = true;
+                                                    let _e1719 = phi_2390_;
+                                                    if (_e1719.member_3 != 4294967295u) {
+                                                        if (_e1095 != _e600) {
+                                                            if (_e1719.member < _e1061.member.member.member) {
+                                                                phi_2416_ = true;
                                                             } else {
-                                                                if (_e1515.member == _e875.member.member.member) {
-                                                                    phi_2094_ = (_e1515.member_3 < _e875.member.member.member_3);
+                                                                if (_e1719.member == _e1061.member.member.member) {
+                                                                    phi_2415_ = (_e1719.member_3 < _e1061.member.member.member_3);
                                                                 } else {
-                                                                    phi_2094_ = false;
+                                                                    phi_2415_ = false;
                                                                 }
-                                                                let _e1530 = phi_2094_;
-                                                                phi_2095_ = _e1530;
+                                                                let _e1734 = phi_2415_;
+                                                                phi_2416_ = _e1734;
                                                             }
-                                                            let _e1532 = phi_2095_;
-                                                            if _e1532 {
-                                                                phi_2102_ = type_36(type_34(_e1515, _e1515.member), _e902.member_1, _e902.member_2);
+                                                            let _e1736 = phi_2416_;
+                                                            if _e1736 {
+                                                                phi_2423_ = type_36(type_34(_e1719, _e1719.member), _e1088.member_1, _e1088.member_2);
                                                             } else {
-                                                                phi_2102_ = _e902;
+                                                                phi_2423_ = _e1088;
                                                             }
-                                                            let _e1539 = phi_2102_;
-                                                            phi_2103_ = _e1539;
+                                                            let _e1743 = phi_2423_;
+                                                            phi_2424_ = _e1743;
                                                         } else {
-                                                            phi_2103_ = _e902;
+                                                            phi_2424_ = _e1088;
                                                         }
-                                                        let _e1541 = phi_2103_;
-                                                        phi_2104_ = _e1541;
+                                                        let _e1745 = phi_2424_;
+                                                        phi_2425_ = _e1745;
                                                     } else {
-                                                        phi_2104_ = _e902;
+                                                        phi_2425_ = _e1088;
                                                     }
-                                                    let _e1543 = phi_2104_;
-                                                    phi_925_ = _e1543;
+                                                    let _e1747 = phi_2425_;
+                                                    phi_1228_ = _e1747;
                                                 } else {
-                                                    phi_925_ = type_36();
+                                                    phi_1228_ = type_36();
                                                 }
-                                                let _e1545 = phi_925_;
+                                                let _e1749 = phi_1228_;
                                                 continue;
                                                 continuing {
-                                                    phi_924_ = _e1545;
-                                                    phi_927_ = _e890;
-                                                    phi_3281_ = _e469;
-                                                    break if !(_e896);
+                                                    phi_1227_ = _e1749;
+                                                    phi_1230_ = _e1076;
+                                                    phi_3724_ = _e631;
+                                                    break if !(_e1082);
                                                 }
                                             }
-                                            let _e1548 = phi_3281_;
-                                            phi_3441_ = _e1548;
-                                            if _e1548 {
+                                            let _e1752 = phi_3724_;
+                                            phi_3902_ = _e1752;
+                                            if _e1752 {
                                                 break;
                                             }
-                                            phi_3445_ = _e1548;
-                                            let _e1777 = local_12;
-                                            phi_3056_ = _e1777;
-                                            phi_3057_ = _e511;
-                                            phi_3058_ = false;
-                                            phi_3059_ = _e515;
+                                            phi_3906_ = _e1752;
+                                            let _e2080 = local_12;
+                                            phi_3401_ = _e2080;
+                                            phi_3402_ = _e673;
+                                            phi_3403_ = false;
+                                            phi_3404_ = _e677;
                                         } else {
-                                            let _e531 = (_e511.member_1 < _e81);
-                                            if _e531 {
-                                                if _e531 {
+                                            let _e693 = (_e673.member_1 < _e88);
+                                            if _e693 {
+                                                if _e693 {
                                                 } else {
-                                                    phi_3441_ = true;
+                                                    phi_3902_ = true;
                                                     break;
                                                 }
-                                                let _e533 = global_6.member[_e511.member_1];
-                                                phi_2126_ = _e533;
+                                                let _e695 = global_6.member[_e673.member_1];
+                                                phi_2447_ = _e695;
                                             } else {
-                                                phi_2126_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2447_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e535 = phi_2126_;
-                                            let _e550 = ((10u * _e254) & 31u);
-                                            let _e553 = ((_e535.member[0] >> bitcast<u32>(_e550)) & 1023u);
-                                            let _e558 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[0] - _e511.member.member[0]) * 0.0009775171f)) ^ _e120));
-                                            let _e564 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e553) * _e558)) ^ _e120)));
-                                            let _e568 = select(select(_e511.member.member_1[0], _e564, (_e564 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e553 == 1023u));
-                                            let _e570 = ((10u * _e253) & 31u);
-                                            let _e573 = ((_e535.member[0] >> bitcast<u32>(_e570)) & 1023u);
-                                            let _e578 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[1] - _e511.member.member[1]) * 0.0009775171f)) ^ _e120));
-                                            let _e584 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e573) * _e578)) ^ _e120)));
-                                            let _e588 = select(select(_e511.member.member_1[1], _e584, (_e584 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e573 == 1023u));
-                                            let _e590 = ((10u * _e255) & 31u);
-                                            let _e593 = ((_e535.member[0] >> bitcast<u32>(_e590)) & 1023u);
-                                            let _e598 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[2] - _e511.member.member[2]) * 0.0009775171f)) ^ _e120));
-                                            let _e604 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e593) * _e598)) ^ _e120)));
-                                            let _e608 = select(select(_e511.member.member_1[2], _e604, (_e604 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e593 == 1023u));
-                                            let _e611 = ((_e535.member[1] >> bitcast<u32>(_e550)) & 1023u);
-                                            let _e617 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e611) * _e558)) ^ _e120)));
-                                            let _e621 = select(select(_e511.member.member_1[0], _e617, (_e617 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e611 == 1023u));
-                                            let _e624 = ((_e535.member[1] >> bitcast<u32>(_e570)) & 1023u);
-                                            let _e630 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e624) * _e578)) ^ _e120)));
-                                            let _e634 = select(select(_e511.member.member_1[1], _e630, (_e630 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e624 == 1023u));
-                                            let _e637 = ((_e535.member[1] >> bitcast<u32>(_e590)) & 1023u);
-                                            let _e643 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e637) * _e598)) ^ _e120)));
-                                            let _e647 = select(select(_e511.member.member_1[2], _e643, (_e643 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e637 == 1023u));
-                                            let _e653 = ((_e535.member_1[0] >> bitcast<u32>(_e550)) & 1023u);
-                                            let _e659 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e653) * _e558)) ^ _e120)));
-                                            let _e663 = select(select(_e511.member.member_1[0], _e659, (_e659 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e653 == 1023u));
-                                            let _e666 = ((_e535.member_1[0] >> bitcast<u32>(_e570)) & 1023u);
-                                            let _e672 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e666) * _e578)) ^ _e120)));
-                                            let _e676 = select(select(_e511.member.member_1[1], _e672, (_e672 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e666 == 1023u));
-                                            let _e679 = ((_e535.member_1[0] >> bitcast<u32>(_e590)) & 1023u);
-                                            let _e685 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e679) * _e598)) ^ _e120)));
-                                            let _e689 = select(select(_e511.member.member_1[2], _e685, (_e685 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e679 == 1023u));
-                                            let _e692 = ((_e535.member_1[1] >> bitcast<u32>(_e550)) & 1023u);
-                                            let _e698 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e692) * _e558)) ^ _e120)));
-                                            let _e702 = select(select(_e511.member.member_1[0], _e698, (_e698 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e692 == 1023u));
-                                            let _e705 = ((_e535.member_1[1] >> bitcast<u32>(_e570)) & 1023u);
-                                            let _e711 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e705) * _e578)) ^ _e120)));
-                                            let _e715 = select(select(_e511.member.member_1[1], _e711, (_e711 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e705 == 1023u));
-                                            let _e718 = ((_e535.member_1[1] >> bitcast<u32>(_e590)) & 1023u);
-                                            let _e724 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e718) * _e598)) ^ _e120)));
-                                            let _e728 = select(select(_e511.member.member_1[2], _e724, (_e724 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e718 == 1023u));
-                                            let _e733 = type_53(type_45(array<f32, 3>(_e568, _e588, _e608), array<f32, 3>(_e621, _e634, _e647)), _e535.member_2);
-                                            let _e738 = type_53(type_45(array<f32, 3>(_e663, _e676, _e689), array<f32, 3>(_e702, _e715, _e728)), _e535.member_3);
-                                            let _e745 = ((_e568 - _e309) * _e314);
-                                            let _e746 = ((_e663 - _e309) * _e314);
-                                            let _e747 = ((_e621 - _e310) * _e314);
-                                            let _e748 = ((_e702 - _e310) * _e314);
-                                            let _e753 = ((_e588 - _e345) * _e350);
-                                            let _e754 = ((_e676 - _e345) * _e350);
-                                            let _e755 = ((_e634 - _e346) * _e350);
-                                            let _e756 = ((_e715 - _e346) * _e350);
-                                            let _e761 = ((_e608 - _e381) * _e386);
-                                            let _e762 = ((_e689 - _e381) * _e386);
-                                            let _e763 = ((_e647 - _e382) * _e386);
-                                            let _e764 = ((_e728 - _e382) * _e386);
-                                            let _e766 = select(_e763, _e761, (_e761 < _e763));
-                                            let _e768 = select(_e764, _e762, (_e762 < _e764));
-                                            let _e770 = select(_e763, _e761, (_e761 > _e763));
-                                            let _e772 = select(_e764, _e762, (_e762 > _e764));
-                                            let _e774 = select(_e747, _e745, (_e745 < _e747));
-                                            let _e776 = select(_e748, _e746, (_e746 < _e748));
-                                            let _e778 = select(_e755, _e753, (_e753 < _e755));
-                                            let _e780 = select(_e756, _e754, (_e754 < _e756));
-                                            let _e782 = select(_e778, _e774, (_e774 > _e778));
-                                            let _e784 = select(_e780, _e776, (_e776 > _e780));
-                                            let _e786 = select(_e766, _e782, (_e782 > _e766));
-                                            let _e788 = select(_e768, _e784, (_e784 > _e768));
-                                            let _e790 = select(_e747, _e745, (_e745 > _e747));
-                                            let _e792 = select(_e748, _e746, (_e746 > _e748));
-                                            let _e794 = select(_e755, _e753, (_e753 > _e755));
-                                            let _e796 = select(_e756, _e754, (_e754 > _e756));
-                                            let _e798 = select(_e794, _e790, (_e790 < _e794));
-                                            let _e800 = select(_e796, _e792, (_e792 < _e796));
-                                            let _e805 = -(_e766);
-                                            let _e806 = -(_e768);
-                                            let _e813 = (select(_e770, _e798, (_e798 < _e770)) + (select(_e805, _e770, (_e770 > _e805)) * 0.0000019073523f));
-                                            let _e814 = (select(_e772, _e800, (_e800 < _e772)) + (select(_e806, _e772, (_e772 > _e806)) * 0.0000019073523f));
-                                            let _e816 = select(_e432, _e786, (_e786 > _e432));
-                                            let _e818 = select(_e432, _e788, (_e788 > _e432));
-                                            let _e823 = (_e816 <= select(_e471.member.member_1, _e813, (_e813 < _e471.member.member_1)));
-                                            let _e824 = (_e818 <= select(_e471.member.member_1, _e814, (_e814 < _e471.member.member_1)));
-                                            let _e825 = (_e816 <= _e818);
-                                            if _e823 {
-                                                if _e824 {
-                                                    if _e825 {
-                                                        phi_2958_ = _e738;
+                                            let _e697 = phi_2447_;
+                                            let _e712 = ((10u * _e261) & 31u);
+                                            let _e715 = ((_e697.member[0] >> bitcast<u32>(_e712)) & 1023u);
+                                            let _e723 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[0] - _e673.member.member[0]) * 0.0009775171f)) ^ _e127));
+                                            let _e728 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e715)) - 8388608f) * _e723)) ^ _e127)));
+                                            let _e732 = select(select(_e673.member.member_1[0], _e728, (_e728 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e715 == 1023u));
+                                            let _e734 = ((10u * _e260) & 31u);
+                                            let _e737 = ((_e697.member[0] >> bitcast<u32>(_e734)) & 1023u);
+                                            let _e745 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[1] - _e673.member.member[1]) * 0.0009775171f)) ^ _e127));
+                                            let _e750 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e737)) - 8388608f) * _e745)) ^ _e127)));
+                                            let _e754 = select(select(_e673.member.member_1[1], _e750, (_e750 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e737 == 1023u));
+                                            let _e756 = ((10u * _e262) & 31u);
+                                            let _e759 = ((_e697.member[0] >> bitcast<u32>(_e756)) & 1023u);
+                                            let _e767 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[2] - _e673.member.member[2]) * 0.0009775171f)) ^ _e127));
+                                            let _e772 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e759)) - 8388608f) * _e767)) ^ _e127)));
+                                            let _e776 = select(select(_e673.member.member_1[2], _e772, (_e772 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e759 == 1023u));
+                                            let _e779 = ((_e697.member[1] >> bitcast<u32>(_e712)) & 1023u);
+                                            let _e787 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e779)) - 8388608f) * _e723)) ^ _e127)));
+                                            let _e791 = select(select(_e673.member.member_1[0], _e787, (_e787 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e779 == 1023u));
+                                            let _e794 = ((_e697.member[1] >> bitcast<u32>(_e734)) & 1023u);
+                                            let _e802 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e794)) - 8388608f) * _e745)) ^ _e127)));
+                                            let _e806 = select(select(_e673.member.member_1[1], _e802, (_e802 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e794 == 1023u));
+                                            let _e809 = ((_e697.member[1] >> bitcast<u32>(_e756)) & 1023u);
+                                            let _e817 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e809)) - 8388608f) * _e767)) ^ _e127)));
+                                            let _e821 = select(select(_e673.member.member_1[2], _e817, (_e817 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e809 == 1023u));
+                                            let _e827 = ((_e697.member_1[0] >> bitcast<u32>(_e712)) & 1023u);
+                                            let _e835 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e827)) - 8388608f) * _e723)) ^ _e127)));
+                                            let _e839 = select(select(_e673.member.member_1[0], _e835, (_e835 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e827 == 1023u));
+                                            let _e842 = ((_e697.member_1[0] >> bitcast<u32>(_e734)) & 1023u);
+                                            let _e850 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e842)) - 8388608f) * _e745)) ^ _e127)));
+                                            let _e854 = select(select(_e673.member.member_1[1], _e850, (_e850 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e842 == 1023u));
+                                            let _e857 = ((_e697.member_1[0] >> bitcast<u32>(_e756)) & 1023u);
+                                            let _e865 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e857)) - 8388608f) * _e767)) ^ _e127)));
+                                            let _e869 = select(select(_e673.member.member_1[2], _e865, (_e865 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e857 == 1023u));
+                                            let _e872 = ((_e697.member_1[1] >> bitcast<u32>(_e712)) & 1023u);
+                                            let _e880 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e872)) - 8388608f) * _e723)) ^ _e127)));
+                                            let _e884 = select(select(_e673.member.member_1[0], _e880, (_e880 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e872 == 1023u));
+                                            let _e887 = ((_e697.member_1[1] >> bitcast<u32>(_e734)) & 1023u);
+                                            let _e895 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e887)) - 8388608f) * _e745)) ^ _e127)));
+                                            let _e899 = select(select(_e673.member.member_1[1], _e895, (_e895 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e887 == 1023u));
+                                            let _e902 = ((_e697.member_1[1] >> bitcast<u32>(_e756)) & 1023u);
+                                            let _e910 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e902)) - 8388608f) * _e767)) ^ _e127)));
+                                            let _e914 = select(select(_e673.member.member_1[2], _e910, (_e910 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e902 == 1023u));
+                                            let _e919 = type_53(type_45(array<f32, 3>(_e732, _e754, _e776), array<f32, 3>(_e791, _e806, _e821)), _e697.member_2);
+                                            let _e924 = type_53(type_45(array<f32, 3>(_e839, _e854, _e869), array<f32, 3>(_e884, _e899, _e914)), _e697.member_3);
+                                            let _e931 = ((_e732 - _e346) * _e351);
+                                            let _e932 = ((_e839 - _e346) * _e351);
+                                            let _e933 = ((_e791 - _e347) * _e351);
+                                            let _e934 = ((_e884 - _e347) * _e351);
+                                            let _e939 = ((_e754 - _e412) * _e417);
+                                            let _e940 = ((_e854 - _e412) * _e417);
+                                            let _e941 = ((_e806 - _e413) * _e417);
+                                            let _e942 = ((_e899 - _e413) * _e417);
+                                            let _e947 = ((_e776 - _e478) * _e483);
+                                            let _e948 = ((_e869 - _e478) * _e483);
+                                            let _e949 = ((_e821 - _e479) * _e483);
+                                            let _e950 = ((_e914 - _e479) * _e483);
+                                            let _e952 = select(_e949, _e947, (_e947 < _e949));
+                                            let _e954 = select(_e950, _e948, (_e948 < _e950));
+                                            let _e956 = select(_e949, _e947, (_e947 > _e949));
+                                            let _e958 = select(_e950, _e948, (_e948 > _e950));
+                                            let _e960 = select(_e933, _e931, (_e931 < _e933));
+                                            let _e962 = select(_e934, _e932, (_e932 < _e934));
+                                            let _e964 = select(_e941, _e939, (_e939 < _e941));
+                                            let _e966 = select(_e942, _e940, (_e940 < _e942));
+                                            let _e968 = select(_e964, _e960, (_e960 > _e964));
+                                            let _e970 = select(_e966, _e962, (_e962 > _e966));
+                                            let _e972 = select(_e952, _e968, (_e968 > _e952));
+                                            let _e974 = select(_e954, _e970, (_e970 > _e954));
+                                            let _e976 = select(_e933, _e931, (_e931 > _e933));
+                                            let _e978 = select(_e934, _e932, (_e932 > _e934));
+                                            let _e980 = select(_e941, _e939, (_e939 > _e941));
+                                            let _e982 = select(_e942, _e940, (_e940 > _e942));
+                                            let _e984 = select(_e980, _e976, (_e976 < _e980));
+                                            let _e986 = select(_e982, _e978, (_e978 < _e982));
+                                            let _e991 = -(_e952);
+                                            let _e992 = -(_e954);
+                                            let _e999 = (select(_e956, _e984, (_e984 < _e956)) + (select(_e991, _e956, (_e956 > _e991)) * 0.0000019073523f));
+                                            let _e1000 = (select(_e958, _e986, (_e986 < _e958)) + (select(_e992, _e958, (_e958 > _e992)) * 0.0000019073523f));
+                                            let _e1002 = select(_e594, _e972, (_e972 > _e594));
+                                            let _e1004 = select(_e594, _e974, (_e974 > _e594));
+                                            let _e1009 = (_e1002 <= select(_e633.member.member_1, _e999, (_e999 < _e633.member.member_1)));
+                                            let _e1010 = (_e1004 <= select(_e633.member.member_1, _e1000, (_e1000 < _e633.member.member_1)));
+                                            let _e1011 = (_e1002 <= _e1004);
+                                            if _e1009 {
+                                                if _e1010 {
+                                                    if _e1011 {
+                                                        phi_3303_ = _e924;
                                                     } else {
-                                                        phi_2958_ = _e733;
+                                                        phi_3303_ = _e919;
                                                     }
-                                                    let _e827 = phi_2958_;
-                                                    let _e835 = (_e515 % 128u);
-                                                    let _e836 = (_e835 < 128u);
-                                                    if _e836 {
+                                                    let _e1013 = phi_3303_;
+                                                    let _e1021 = (_e677 % 128u);
+                                                    let _e1022 = (_e1021 < 128u);
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3441_ = true;
+                                                        phi_3902_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e835] = _e827.member_1;
-                                                    if _e836 {
+                                                    local_6[_e1021] = _e1013.member_1;
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3441_ = true;
+                                                        phi_3902_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e835] = _e827.member.member[0];
-                                                    if _e836 {
+                                                    local_5[_e1021] = _e1013.member.member[0];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3441_ = true;
+                                                        phi_3902_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e835] = _e827.member.member[1];
-                                                    if _e836 {
+                                                    local_4[_e1021] = _e1013.member.member[1];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3441_ = true;
+                                                        phi_3902_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e835] = _e827.member.member[2];
-                                                    if _e836 {
+                                                    local_3[_e1021] = _e1013.member.member[2];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3441_ = true;
+                                                        phi_3902_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e835] = _e827.member.member_1[0];
-                                                    if _e836 {
+                                                    local_2[_e1021] = _e1013.member.member_1[0];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3441_ = true;
+                                                        phi_3902_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e835] = _e827.member.member_1[1];
-                                                    if _e836 {
+                                                    local_1[_e1021] = _e1013.member.member_1[1];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3441_ = true;
+                                                        phi_3902_ = true;
                                                         break;
                                                     }
-                                                    local[_e835] = _e827.member.member_1[2];
-                                                    if _e836 {
+                                                    local[_e1021] = _e1013.member.member_1[2];
+                                                    if _e1022 {
                                                     } else {
-                                                        phi_3441_ = true;
+                                                        phi_3902_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e835] = select(_e818, _e816, (_e816 > _e818));
-                                                    if _e825 {
-                                                        phi_3035_ = _e733;
+                                                    local_7[_e1021] = select(_e1004, _e1002, (_e1002 > _e1004));
+                                                    if _e1011 {
+                                                        phi_3380_ = _e919;
                                                     } else {
-                                                        phi_3035_ = _e738;
+                                                        phi_3380_ = _e924;
                                                     }
-                                                    let _e853 = phi_3035_;
-                                                    phi_3036_ = _e853;
-                                                    phi_3037_ = (_e515 + 1u);
+                                                    let _e1039 = phi_3380_;
+                                                    phi_3381_ = _e1039;
+                                                    phi_3382_ = (_e677 + 1u);
                                                 } else {
-                                                    phi_3036_ = type_53();
-                                                    phi_3037_ = u32();
+                                                    phi_3381_ = type_53();
+                                                    phi_3382_ = u32();
                                                 }
-                                                let _e855 = phi_3036_;
-                                                let _e857 = phi_3037_;
-                                                phi_3039_ = _e855;
-                                                phi_3040_ = _e857;
-                                                phi_3041_ = select(true, false, _e824);
+                                                let _e1041 = phi_3381_;
+                                                let _e1043 = phi_3382_;
+                                                phi_3384_ = _e1041;
+                                                phi_3385_ = _e1043;
+                                                phi_3386_ = select(true, false, _e1010);
                                             } else {
-                                                phi_3039_ = type_53();
-                                                phi_3040_ = u32();
-                                                phi_3041_ = true;
+                                                phi_3384_ = type_53();
+                                                phi_3385_ = u32();
+                                                phi_3386_ = true;
                                             }
-                                            let _e860 = phi_3039_;
-                                            let _e862 = phi_3040_;
-                                            let _e864 = phi_3041_;
-                                            if _e864 {
-                                                if _e823 {
-                                                    phi_3048_ = _e733;
+                                            let _e1046 = phi_3384_;
+                                            let _e1048 = phi_3385_;
+                                            let _e1050 = phi_3386_;
+                                            if _e1050 {
+                                                if _e1009 {
+                                                    phi_3393_ = _e919;
                                                 } else {
-                                                    phi_3048_ = _e738;
+                                                    phi_3393_ = _e924;
                                                 }
-                                                let _e866 = phi_3048_;
-                                                phi_3053_ = _e866;
-                                                phi_3054_ = select(_e824, true, _e823);
+                                                let _e1052 = phi_3393_;
+                                                phi_3398_ = _e1052;
+                                                phi_3399_ = select(_e1010, true, _e1009);
                                             } else {
-                                                phi_3053_ = _e860;
-                                                phi_3054_ = _e513;
+                                                phi_3398_ = _e1046;
+                                                phi_3399_ = _e675;
                                             }
-                                            let _e869 = phi_3053_;
-                                            let _e871 = phi_3054_;
-                                            phi_3445_ = _e469;
-                                            phi_3056_ = type_36(_e471.member, (_e471.member_1 + 1u), _e471.member_2);
-                                            phi_3057_ = _e869;
-                                            phi_3058_ = _e871;
-                                            phi_3059_ = select(_e862, _e515, _e864);
+                                            let _e1055 = phi_3398_;
+                                            let _e1057 = phi_3399_;
+                                            phi_3906_ = _e631;
+                                            phi_3401_ = type_36(_e633.member, (_e633.member_1 + 1u), _e633.member_2);
+                                            phi_3402_ = _e1055;
+                                            phi_3403_ = _e1057;
+                                            phi_3404_ = select(_e1048, _e677, _e1050);
                                         }
-                                        let _e1550 = phi_3445_;
-                                        let _e1552 = phi_3056_;
-                                        let _e1554 = phi_3057_;
-                                        let _e1556 = phi_3058_;
-                                        let _e1558 = phi_3059_;
-                                        phi_3444_ = _e1550;
-                                        phi_3060_ = _e1552;
-                                        phi_3061_ = _e1554;
-                                        phi_3062_ = (_e475 - 1u);
-                                        phi_3063_ = _e1556;
-                                        phi_3064_ = _e1558;
+                                        let _e1754 = phi_3906_;
+                                        let _e1756 = phi_3401_;
+                                        let _e1758 = phi_3402_;
+                                        let _e1760 = phi_3403_;
+                                        let _e1762 = phi_3404_;
+                                        phi_3905_ = _e1754;
+                                        phi_3405_ = _e1756;
+                                        phi_3406_ = _e1758;
+                                        phi_3407_ = (_e637 - 1u);
+                                        phi_3408_ = _e1760;
+                                        phi_3409_ = _e1762;
                                     } else {
-                                        phi_3444_ = _e469;
-                                        phi_3060_ = _e471;
-                                        phi_3061_ = _e511;
-                                        phi_3062_ = _e475;
-                                        phi_3063_ = _e513;
-                                        phi_3064_ = _e515;
+                                        phi_3905_ = _e631;
+                                        phi_3405_ = _e633;
+                                        phi_3406_ = _e673;
+                                        phi_3407_ = _e637;
+                                        phi_3408_ = _e675;
+                                        phi_3409_ = _e677;
                                     }
-                                    let _e1560 = phi_3444_;
-                                    let _e1562 = phi_3060_;
-                                    let _e1564 = phi_3061_;
-                                    let _e1566 = phi_3062_;
-                                    let _e1568 = phi_3063_;
-                                    let _e1570 = phi_3064_;
-                                    phi_3443_ = _e1560;
-                                    phi_3065_ = _e1562;
-                                    phi_3066_ = _e1564;
-                                    phi_3067_ = _e1566;
-                                    phi_3068_ = _e1568;
-                                    phi_3069_ = _e1570;
+                                    let _e1764 = phi_3905_;
+                                    let _e1766 = phi_3405_;
+                                    let _e1768 = phi_3406_;
+                                    let _e1770 = phi_3407_;
+                                    let _e1772 = phi_3408_;
+                                    let _e1774 = phi_3409_;
+                                    phi_3904_ = _e1764;
+                                    phi_3410_ = _e1766;
+                                    phi_3411_ = _e1768;
+                                    phi_3412_ = _e1770;
+                                    phi_3413_ = _e1772;
+                                    phi_3414_ = _e1774;
                                 } else {
-                                    phi_3443_ = _e469;
-                                    phi_3065_ = type_36();
-                                    phi_3066_ = type_53();
-                                    phi_3067_ = u32();
-                                    phi_3068_ = bool();
-                                    phi_3069_ = u32();
+                                    phi_3904_ = _e631;
+                                    phi_3410_ = type_36();
+                                    phi_3411_ = type_53();
+                                    phi_3412_ = u32();
+                                    phi_3413_ = bool();
+                                    phi_3414_ = u32();
                                 }
-                                let _e1572 = phi_3443_;
-                                let _e1574 = phi_3065_;
-                                let _e1576 = phi_3066_;
-                                let _e1578 = phi_3067_;
-                                let _e1580 = phi_3068_;
-                                let _e1582 = phi_3069_;
-                                phi_3442_ = _e1572;
-                                phi_798_ = _e1574;
-                                phi_801_ = _e1576;
-                                phi_803_ = _e1578;
-                                phi_805_ = _e1580;
-                                phi_807_ = _e1582;
-                                phi_3070_ = _e483;
+                                let _e1776 = phi_3904_;
+                                let _e1778 = phi_3410_;
+                                let _e1780 = phi_3411_;
+                                let _e1782 = phi_3412_;
+                                let _e1784 = phi_3413_;
+                                let _e1786 = phi_3414_;
+                                phi_3903_ = _e1776;
+                                phi_1101_ = _e1778;
+                                phi_1104_ = _e1780;
+                                phi_1106_ = _e1782;
+                                phi_1108_ = _e1784;
+                                phi_1110_ = _e1786;
+                                phi_3415_ = _e645;
                             } else {
-                                phi_3442_ = _e469;
-                                phi_798_ = type_36();
-                                phi_801_ = type_53();
-                                phi_803_ = u32();
-                                phi_805_ = bool();
-                                phi_807_ = u32();
-                                phi_3070_ = false;
+                                phi_3903_ = _e631;
+                                phi_1101_ = type_36();
+                                phi_1104_ = type_53();
+                                phi_1106_ = u32();
+                                phi_1108_ = bool();
+                                phi_1110_ = u32();
+                                phi_3415_ = false;
                             }
-                            let _e1584 = phi_3442_;
-                            let _e1586 = phi_798_;
-                            let _e1588 = phi_801_;
-                            let _e1590 = phi_803_;
-                            let _e1592 = phi_805_;
-                            let _e1594 = phi_807_;
-                            let _e1596 = phi_3070_;
+                            let _e1788 = phi_3903_;
+                            let _e1790 = phi_1101_;
+                            let _e1792 = phi_1104_;
+                            let _e1794 = phi_1106_;
+                            let _e1796 = phi_1108_;
+                            let _e1798 = phi_1110_;
+                            let _e1800 = phi_3415_;
                             continue;
                             continuing {
-                                phi_3287_ = _e1584;
-                                phi_797_ = _e1586;
-                                phi_800_ = _e1588;
-                                phi_802_ = _e1590;
-                                phi_804_ = _e1592;
-                                phi_806_ = _e1594;
-                                phi_3441_ = _e1584;
-                                break if !(_e1596);
+                                phi_3730_ = _e1788;
+                                phi_1100_ = _e1790;
+                                phi_1103_ = _e1792;
+                                phi_1105_ = _e1794;
+                                phi_1107_ = _e1796;
+                                phi_1109_ = _e1798;
+                                phi_3902_ = _e1788;
+                                break if !(_e1800);
                             }
                         }
-                        let _e1599 = phi_3441_;
-                        if _e1599 {
+                        let _e1803 = phi_3902_;
+                        if _e1803 {
                             break;
                         }
-                        let _e1601 = local_10;
-                        if (_e1601.member.member.member_3 != 4294967295u) {
-                            let _e1607 = (_e256 / 3i);
-                            let _e1614 = bitcast<f32>((bitcast<u32>((_e1607 + 127i)) << bitcast<u32>(23i)));
-                            let _e1622 = (((_e1601.member.member.member * _e1614) * _e1614) * bitcast<f32>((bitcast<u32>(((_e256 - (2i * _e1607)) + 127i)) << bitcast<u32>(23i))));
-                            let _e1624 = select(340282350000000000000000000000000000000f, _e1622, (_e1622 < 340282350000000000000000000000000000000f));
-                            phi_3122_ = type_19(select(-340282350000000000000000000000000000000f, _e1624, (_e1624 > -340282350000000000000000000000000000000f)), _e1601.member.member.member_1, _e1601.member.member.member_2, _e1601.member.member.member_3);
+                        let _e1805 = local_10;
+                        if (_e1805.member.member.member_3 != 4294967295u) {
+                            let _e1811 = bitcast<u32>(_e1805.member.member.member);
+                            let _e1815 = (bitcast<i32>((_e1811 >> bitcast<u32>(23i))) & 255i);
+                            let _e1816 = (_e1815 + _e263);
+                            if (_e1815 == 255i) {
+                                phi_3474_ = _e1805.member.member.member;
+                            } else {
+                                if (_e1815 > 0i) {
+                                    if (_e1816 > 0i) {
+                                        let _e1820 = (_e1816 < 255i);
+                                        if _e1820 {
+                                            phi_3453_ = bitcast<f32>((_e1811 + bitcast<u32>((_e263 << bitcast<u32>(23i)))));
+                                        } else {
+                                            phi_3453_ = f32();
+                                        }
+                                        let _e1827 = phi_3453_;
+                                        phi_3455_ = _e1827;
+                                        phi_3456_ = select(true, false, _e1820);
+                                    } else {
+                                        phi_3455_ = f32();
+                                        phi_3456_ = true;
+                                    }
+                                    let _e1830 = phi_3455_;
+                                    let _e1832 = phi_3456_;
+                                    phi_3457_ = _e1830;
+                                    phi_3458_ = _e1832;
+                                } else {
+                                    phi_3457_ = f32();
+                                    phi_3458_ = true;
+                                }
+                                let _e1834 = phi_3457_;
+                                let _e1836 = phi_3458_;
+                                if _e1836 {
+                                    let _e1837 = (_e1811 & 2147483648u);
+                                    let _e1844 = ((_e1811 & 8388607u) | (select(0u, 1u, ((_e1811 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1848 = (_e1844 == 0u);
+                                    if _e1848 {
+                                        phi_3694_ = bitcast<f32>(_e1837);
+                                    } else {
+                                        let _e1853 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1844)), 32u, _e1848) - 8u);
+                                        let _e1856 = (_e1844 << bitcast<u32>((_e1853 & 31u)));
+                                        let _e1858 = ((_e1816 + select(0i, 1i, (_e1815 == 0i))) - bitcast<i32>(_e1853));
+                                        if (_e1858 >= 255i) {
+                                            phi_3684_ = bitcast<f32>((_e1837 | 2139095040u));
+                                            phi_3685_ = f32();
+                                            phi_3686_ = true;
+                                        } else {
+                                            let _e1860 = (_e1858 > 0i);
+                                            if _e1860 {
+                                                phi_3678_ = bitcast<f32>(((_e1837 | (bitcast<u32>(_e1858) << bitcast<u32>(23i))) | (_e1856 & 8388607u)));
+                                                phi_3679_ = f32();
+                                            } else {
+                                                if (_e1858 < -24i) {
+                                                    phi_3644_ = 26u;
+                                                } else {
+                                                    phi_3644_ = bitcast<u32>((1i - _e1858));
+                                                }
+                                                let _e1865 = phi_3644_;
+                                                let _e1866 = (_e1865 & 31u);
+                                                let _e1868 = (_e1856 >> bitcast<u32>(_e1866));
+                                                let _e1872 = (_e1856 & ((1u << bitcast<u32>(_e1866)) - 1u));
+                                                let _e1876 = (1u << bitcast<u32>(((_e1865 - 1u) & 31u)));
+                                                if (_e1872 > _e1876) {
+                                                    phi_3665_ = true;
+                                                } else {
+                                                    if (_e1872 == _e1876) {
+                                                        phi_3662_ = ((_e1868 & 1u) == 1u);
+                                                    } else {
+                                                        phi_3662_ = false;
+                                                    }
+                                                    let _e1882 = phi_3662_;
+                                                    phi_3665_ = _e1882;
+                                                }
+                                                let _e1884 = phi_3665_;
+                                                phi_3678_ = f32();
+                                                phi_3679_ = bitcast<f32>((_e1837 | (_e1868 + select(0u, 1u, _e1884))));
+                                            }
+                                            let _e1897 = phi_3678_;
+                                            let _e1899 = phi_3679_;
+                                            phi_3684_ = _e1897;
+                                            phi_3685_ = _e1899;
+                                            phi_3686_ = _e1860;
+                                        }
+                                        let _e1903 = phi_3684_;
+                                        let _e1905 = phi_3685_;
+                                        let _e1907 = phi_3686_;
+                                        phi_3694_ = select(_e1905, _e1903, _e1907);
+                                    }
+                                    let _e1911 = phi_3694_;
+                                    phi_3473_ = _e1911;
+                                } else {
+                                    phi_3473_ = _e1834;
+                                }
+                                let _e1913 = phi_3473_;
+                                phi_3474_ = _e1913;
+                            }
+                            let _e1915 = phi_3474_;
+                            let _e1916 = bitcast<u32>(_e1915);
+                            if ((_e1916 & 2147483647u) >= 2139095040u) {
+                                phi_3486_ = bitcast<f32>(((_e1916 & 2147483648u) | 2139095039u));
+                            } else {
+                                phi_3486_ = _e1915;
+                            }
+                            let _e1923 = phi_3486_;
+                            phi_3491_ = type_19(_e1923, _e1805.member.member.member_1, _e1805.member.member.member_2, _e1805.member.member.member_3);
                         } else {
-                            phi_3122_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3491_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1631 = phi_3122_;
-                        if _e132 {
+                        let _e1928 = phi_3491_;
+                        if _e139 {
                         } else {
                             break;
                         }
-                        global_1.member[_e124] = _e1631;
-                        let _e1635 = local_11;
-                        if _e133 {
+                        global_1.member[_e131] = _e1928;
+                        let _e1932 = local_11;
+                        if _e140 {
                         } else {
                             break;
                         }
-                        global_4.member[_e124] = _e1635.member_1;
-                        if _e131 {
+                        global_4.member[_e131] = _e1932.member_1;
+                        if _e138 {
                         } else {
                             break;
                         }
-                        let _e1640 = select(0u, 1u, (_e200 <= _e210));
-                        if (_e1640 > 0u) {
-                            let _e1642 = (1u < _e92);
-                            if _e1642 {
-                                if (0u < _e92) {
+                        let _e1937 = select(0u, 1u, (_e207 <= _e217));
+                        if (_e1937 > 0u) {
+                            let _e1939 = (1u < _e99);
+                            if _e1939 {
+                                if (0u < _e99) {
                                 } else {
                                     break;
                                 }
-                                let _e1646 = atomicAdd((&global_5.member[0u]), _e1640);
-                                if ((_e1646 + _e1640) < _e1646) {
-                                    if _e1642 {
+                                let _e1943 = atomicAdd((&global_5.member[0u]), _e1937);
+                                if ((_e1943 + _e1937) < _e1943) {
+                                    if _e1939 {
                                     } else {
                                         break;
                                     }
-                                    let _e1651 = atomicAdd((&global_5.member[1u]), 1u);
+                                    let _e1948 = atomicAdd((&global_5.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1654 = select(0u, 1u, (_e1631.member_3 != 4294967295u));
-                        if (_e1654 > 0u) {
-                            let _e1656 = (3u < _e92);
-                            if _e1656 {
-                                if (2u < _e92) {
+                        let _e1951 = select(0u, 1u, (_e1928.member_3 != 4294967295u));
+                        if (_e1951 > 0u) {
+                            let _e1953 = (3u < _e99);
+                            if _e1953 {
+                                if (2u < _e99) {
                                 } else {
                                     break;
                                 }
-                                let _e1660 = atomicAdd((&global_5.member[2u]), _e1654);
-                                if ((_e1660 + _e1654) < _e1660) {
-                                    if _e1656 {
+                                let _e1957 = atomicAdd((&global_5.member[2u]), _e1951);
+                                if ((_e1957 + _e1951) < _e1957) {
+                                    if _e1953 {
                                     } else {
                                         break;
                                     }
-                                    let _e1665 = atomicAdd((&global_5.member[3u]), 1u);
+                                    let _e1962 = atomicAdd((&global_5.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1635.member_1 > 0u) {
-                            let _e1667 = (5u < _e92);
-                            if _e1667 {
-                                if (4u < _e92) {
+                        if (_e1932.member_1 > 0u) {
+                            let _e1964 = (5u < _e99);
+                            if _e1964 {
+                                if (4u < _e99) {
                                 } else {
                                     break;
                                 }
-                                let _e1671 = atomicAdd((&global_5.member[4u]), _e1635.member_1);
-                                if ((_e1671 + _e1635.member_1) < _e1671) {
-                                    if _e1667 {
+                                let _e1968 = atomicAdd((&global_5.member[4u]), _e1932.member_1);
+                                if ((_e1968 + _e1932.member_1) < _e1968) {
+                                    if _e1964 {
                                     } else {
                                         break;
                                     }
-                                    let _e1676 = atomicAdd((&global_5.member[5u]), 1u);
+                                    let _e1973 = atomicAdd((&global_5.member[5u]), 1u);
                                 }
                             }
                         }

@@ -112,398 +112,478 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_394_: i32;
-    var phi_395_: i32;
-    var phi_405_: bool;
-    var phi_415_: u32;
-    var phi_416_: u32;
-    var phi_418_: bool;
-    var phi_423_: u32;
-    var phi_455_: i32;
-    var phi_473_: f32;
-    var phi_479_: f32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_519_: f32;
-    var phi_530_: f32;
-    var phi_539_: f32;
-    var phi_545_: f32;
-    var phi_556_: f32;
-    var phi_562_: f32;
-    var phi_585_: f32;
-    var phi_596_: f32;
-    var phi_605_: f32;
-    var phi_611_: f32;
-    var phi_622_: f32;
-    var phi_628_: f32;
-    var phi_651_: f32;
-    var phi_662_: f32;
-    var phi_762_: f32;
-    var phi_763_: f32;
-    var phi_3592_: bool;
-    var phi_861_: type_46;
-    var phi_864_: type_53;
-    var phi_866_: u32;
-    var phi_868_: bool;
-    var phi_870_: u32;
-    var phi_881_: bool;
-    var phi_967_: type_53;
-    var phi_968_: bool;
-    var phi_969_: u32;
-    var phi_2726_: u32;
-    var phi_2727_: u32;
-    var phi_2737_: u32;
-    var phi_2739_: u32;
-    var phi_2740_: bool;
-    var phi_2760_: u32;
-    var phi_2761_: u32;
-    var phi_2765_: type_54;
-    var phi_3109_: type_53;
-    var phi_3186_: type_53;
-    var phi_3187_: type_53;
-    var phi_3188_: u32;
-    var phi_3190_: type_53;
-    var phi_3191_: u32;
-    var phi_3192_: bool;
-    var phi_3201_: type_53;
-    var phi_3206_: type_53;
-    var phi_3207_: bool;
-    var phi_987_: type_46;
-    var phi_990_: type_7;
-    var phi_991_: type_7;
-    var phi_1013_: type_7;
-    var phi_1037_: u32;
-    var phi_1126_: array<array<f32, 3>, 3>;
-    var phi_1243_: bool;
+    var phi_478_: i32;
+    var phi_479_: i32;
+    var phi_489_: bool;
+    var phi_499_: u32;
+    var phi_500_: u32;
+    var phi_502_: bool;
+    var phi_507_: u32;
+    var phi_539_: i32;
+    var phi_557_: f32;
+    var phi_563_: f32;
+    var phi_603_: f32;
+    var phi_609_: f32;
+    var phi_661_: f32;
+    var phi_672_: f32;
+    var phi_681_: f32;
+    var phi_687_: f32;
+    var phi_727_: f32;
+    var phi_733_: f32;
+    var phi_785_: f32;
+    var phi_796_: f32;
+    var phi_805_: f32;
+    var phi_811_: f32;
+    var phi_851_: f32;
+    var phi_857_: f32;
+    var phi_909_: f32;
+    var phi_920_: f32;
+    var phi_975_: i32;
+    var phi_997_: u32;
+    var phi_998_: u32;
+    var phi_1035_: i32;
+    var phi_1057_: u32;
+    var phi_1058_: u32;
+    var phi_1066_: f32;
+    var phi_1067_: f32;
+    var phi_4002_: bool;
+    var phi_1165_: type_46;
+    var phi_1168_: type_53;
+    var phi_1170_: u32;
+    var phi_1172_: bool;
+    var phi_1174_: u32;
+    var phi_1185_: bool;
+    var phi_1271_: type_53;
     var phi_1272_: bool;
-    var phi_1673_: f32;
-    var phi_1674_: f32;
-    var phi_1675_: f32;
-    var phi_1676_: f32;
-    var phi_1677_: vec3<f32>;
-    var phi_1678_: vec3<f32>;
-    var phi_1679_: vec3<f32>;
-    var phi_1680_: vec3<f32>;
-    var phi_1711_: bool;
-    var phi_1720_: vec3<f32>;
-    var phi_1885_: f32;
-    var phi_1887_: f32;
-    var phi_1888_: bool;
-    var phi_1908_: f32;
-    var phi_1909_: f32;
-    var phi_1932_: type_26;
-    var phi_1934_: type_26;
-    var phi_1935_: bool;
-    var phi_1939_: type_26;
-    var phi_1940_: type_26;
-    var phi_1941_: type_26;
-    var phi_1942_: bool;
-    var phi_1946_: type_26;
-    var phi_1947_: bool;
-    var phi_1948_: type_26;
-    var phi_1949_: bool;
-    var phi_1950_: bool;
-    var phi_1951_: type_26;
-    var phi_1952_: bool;
-    var phi_1953_: bool;
-    var phi_1961_: type_26;
-    var phi_1962_: bool;
-    var phi_1966_: type_26;
-    var phi_1991_: bool;
-    var phi_1992_: bool;
-    var phi_1999_: type_46;
-    var phi_2000_: type_46;
-    var phi_2001_: type_46;
-    var phi_988_: type_46;
-    var phi_3586_: bool;
-    var phi_3732_: bool;
-    var phi_3209_: type_46;
-    var phi_3210_: type_53;
-    var phi_3211_: bool;
-    var phi_3212_: u32;
-    var phi_3731_: bool;
-    var phi_3213_: type_46;
-    var phi_3214_: type_53;
-    var phi_3215_: u32;
-    var phi_3216_: bool;
-    var phi_3217_: u32;
-    var phi_3730_: bool;
-    var phi_3218_: type_46;
-    var phi_3219_: type_53;
-    var phi_3220_: u32;
-    var phi_3221_: bool;
-    var phi_3222_: u32;
-    var phi_3729_: bool;
-    var phi_862_: type_46;
-    var phi_865_: type_53;
-    var phi_867_: u32;
-    var phi_869_: bool;
-    var phi_871_: u32;
-    var phi_3223_: bool;
-    var phi_3728_: bool;
+    var phi_1273_: u32;
+    var phi_3030_: u32;
+    var phi_3031_: u32;
+    var phi_3041_: u32;
+    var phi_3043_: u32;
+    var phi_3044_: bool;
+    var phi_3064_: u32;
+    var phi_3065_: u32;
+    var phi_3069_: type_54;
+    var phi_3413_: type_53;
+    var phi_3490_: type_53;
+    var phi_3491_: type_53;
+    var phi_3492_: u32;
+    var phi_3494_: type_53;
+    var phi_3495_: u32;
+    var phi_3496_: bool;
+    var phi_3505_: type_53;
+    var phi_3510_: type_53;
+    var phi_3511_: bool;
+    var phi_1291_: type_46;
+    var phi_1294_: type_7;
+    var phi_1295_: type_7;
+    var phi_1317_: type_7;
+    var phi_1341_: u32;
+    var phi_1430_: array<array<f32, 3>, 3>;
+    var phi_1547_: bool;
+    var phi_1576_: bool;
+    var phi_1977_: f32;
+    var phi_1978_: f32;
+    var phi_1979_: f32;
+    var phi_1980_: f32;
+    var phi_1981_: vec3<f32>;
+    var phi_1982_: vec3<f32>;
+    var phi_1983_: vec3<f32>;
+    var phi_1984_: vec3<f32>;
+    var phi_2015_: bool;
+    var phi_2024_: vec3<f32>;
+    var phi_2189_: f32;
+    var phi_2191_: f32;
+    var phi_2192_: bool;
+    var phi_2212_: f32;
+    var phi_2213_: f32;
+    var phi_2236_: type_26;
+    var phi_2238_: type_26;
+    var phi_2239_: bool;
+    var phi_2243_: type_26;
+    var phi_2244_: type_26;
+    var phi_2245_: type_26;
+    var phi_2246_: bool;
+    var phi_2250_: type_26;
+    var phi_2251_: bool;
+    var phi_2252_: type_26;
+    var phi_2253_: bool;
+    var phi_2254_: bool;
+    var phi_2255_: type_26;
+    var phi_2256_: bool;
+    var phi_2257_: bool;
+    var phi_2265_: type_26;
+    var phi_2266_: bool;
+    var phi_2270_: type_26;
+    var phi_2295_: bool;
+    var phi_2296_: bool;
+    var phi_2303_: type_46;
+    var phi_2304_: type_46;
+    var phi_2305_: type_46;
+    var phi_1292_: type_46;
+    var phi_3996_: bool;
+    var phi_4160_: bool;
+    var phi_3513_: type_46;
+    var phi_3514_: type_53;
+    var phi_3515_: bool;
+    var phi_3516_: u32;
+    var phi_4159_: bool;
+    var phi_3517_: type_46;
+    var phi_3518_: type_53;
+    var phi_3519_: u32;
+    var phi_3520_: bool;
+    var phi_3521_: u32;
+    var phi_4158_: bool;
+    var phi_3522_: type_46;
+    var phi_3523_: type_53;
+    var phi_3524_: u32;
+    var phi_3525_: bool;
+    var phi_3526_: u32;
+    var phi_4157_: bool;
+    var phi_1166_: type_46;
+    var phi_1169_: type_53;
+    var phi_1171_: u32;
+    var phi_1173_: bool;
+    var phi_1175_: u32;
+    var phi_3527_: bool;
+    var phi_4156_: bool;
     var local_10: type_46;
-    var phi_3275_: type_26;
+    var phi_3565_: f32;
+    var phi_3567_: f32;
+    var phi_3568_: bool;
+    var phi_3569_: f32;
+    var phi_3570_: bool;
+    var phi_3904_: u32;
+    var phi_3922_: bool;
+    var phi_3925_: bool;
+    var phi_3938_: f32;
+    var phi_3939_: f32;
+    var phi_3944_: f32;
+    var phi_3945_: f32;
+    var phi_3946_: bool;
+    var phi_3954_: f32;
+    var phi_3585_: f32;
+    var phi_3586_: f32;
+    var phi_3598_: f32;
+    var phi_3603_: type_26;
     var local_11: type_46;
     var local_12: type_46;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e87 = global;
-            let _e89 = arrayLength((&global_4.member));
-            let _e91 = arrayLength((&global_1.member));
-            let _e99 = arrayLength((&global_7.member));
-            let _e103 = global_3.member[0u][0u];
-            let _e107 = global_3.member[0u][1u];
-            let _e111 = global_3.member[0u][2u];
-            let _e115 = global_3.member[0u][3u];
-            let _e119 = global_3.member[1u][0u];
-            let _e123 = global_3.member[1u][1u];
-            let _e127 = global_3.member[1u][2u];
-            let _e131 = (_e87.x + (_e87.y * 2097152u));
-            let _e143 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e115) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e103), bitcast<i32>(_e107), bitcast<i32>(_e111));
-            local = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
-            let _e146 = (_e131 < arrayLength((&global_5.member)));
-            if _e146 {
-                let _e147 = (_e131 < arrayLength((&global_2.member)));
-                if _e147 {
-                    let _e148 = (_e131 < arrayLength((&global_6.member)));
-                    if _e148 {
-                        if _e146 {
+            let _e94 = global;
+            let _e96 = arrayLength((&global_4.member));
+            let _e98 = arrayLength((&global_1.member));
+            let _e106 = arrayLength((&global_7.member));
+            let _e110 = global_3.member[0u][0u];
+            let _e114 = global_3.member[0u][1u];
+            let _e118 = global_3.member[0u][2u];
+            let _e122 = global_3.member[0u][3u];
+            let _e126 = global_3.member[1u][0u];
+            let _e130 = global_3.member[1u][1u];
+            let _e134 = global_3.member[1u][2u];
+            let _e138 = (_e94.x + (_e94.y * 2097152u));
+            let _e150 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e122) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e110), bitcast<i32>(_e114), bitcast<i32>(_e118));
+            local = array<i32, 3>(bitcast<i32>(_e126), bitcast<i32>(_e130), bitcast<i32>(_e134));
+            let _e153 = (_e138 < arrayLength((&global_5.member)));
+            if _e153 {
+                let _e154 = (_e138 < arrayLength((&global_2.member)));
+                if _e154 {
+                    let _e155 = (_e138 < arrayLength((&global_6.member)));
+                    if _e155 {
+                        if _e153 {
                         } else {
                             break;
                         }
-                        let _e158 = global_5.member[_e131].member.member_2[0u];
-                        let _e160 = (bitcast<u32>(_e158) & 2147483647u);
-                        let _e166 = global_5.member[_e131].member.member_2[1u];
-                        let _e168 = (bitcast<u32>(_e166) & 2147483647u);
-                        let _e174 = global_5.member[_e131].member.member_2[2u];
-                        let _e176 = (bitcast<u32>(_e174) & 2147483647u);
-                        let _e182 = global_5.member[_e131].member.member[0u];
-                        let _e184 = (bitcast<u32>(_e182) & 2147483647u);
-                        let _e190 = global_5.member[_e131].member.member[1u];
-                        let _e192 = (bitcast<u32>(_e190) & 2147483647u);
-                        let _e198 = global_5.member[_e131].member.member[2u];
-                        let _e200 = (bitcast<u32>(_e198) & 2147483647u);
-                        let _e202 = select(_e168, _e160, (_e168 < _e160));
-                        let _e204 = select(_e176, _e202, (_e176 < _e202));
-                        let _e206 = select(_e184, _e204, (_e184 < _e204));
-                        let _e208 = select(_e192, _e206, (_e192 < _e206));
-                        let _e210 = select(_e200, _e208, (_e200 < _e208));
-                        let _e215 = global_5.member[_e131].member.member_1;
-                        let _e217 = (bitcast<u32>(_e215) & 2147483647u);
-                        let _e225 = global_5.member[_e131].member.member_3;
-                        let _e231 = (((select(_e217, _e210, (_e217 < _e210)) < 2139095040u) && ((bitcast<u32>(_e225) & 2147483647u) <= 2139095040u)) && (_e204 > 0u));
-                        if _e231 {
-                            let _e234 = (bitcast<u32>(bitcast<f32>(_e204)) & 2147483647u);
-                            if (_e234 >= 8388608u) {
-                                phi_394_ = (bitcast<i32>((_e234 >> bitcast<u32>(23i))) - 127i);
+                        let _e165 = global_5.member[_e138].member.member_2[0u];
+                        let _e167 = (bitcast<u32>(_e165) & 2147483647u);
+                        let _e173 = global_5.member[_e138].member.member_2[1u];
+                        let _e175 = (bitcast<u32>(_e173) & 2147483647u);
+                        let _e181 = global_5.member[_e138].member.member_2[2u];
+                        let _e183 = (bitcast<u32>(_e181) & 2147483647u);
+                        let _e189 = global_5.member[_e138].member.member[0u];
+                        let _e191 = (bitcast<u32>(_e189) & 2147483647u);
+                        let _e197 = global_5.member[_e138].member.member[1u];
+                        let _e199 = (bitcast<u32>(_e197) & 2147483647u);
+                        let _e205 = global_5.member[_e138].member.member[2u];
+                        let _e207 = (bitcast<u32>(_e205) & 2147483647u);
+                        let _e209 = select(_e175, _e167, (_e175 < _e167));
+                        let _e211 = select(_e183, _e209, (_e183 < _e209));
+                        let _e213 = select(_e191, _e211, (_e191 < _e211));
+                        let _e215 = select(_e199, _e213, (_e199 < _e213));
+                        let _e217 = select(_e207, _e215, (_e207 < _e215));
+                        let _e222 = global_5.member[_e138].member.member_1;
+                        let _e223 = bitcast<u32>(_e222);
+                        let _e224 = (_e223 & 2147483647u);
+                        let _e232 = global_5.member[_e138].member.member_3;
+                        let _e233 = bitcast<u32>(_e232);
+                        let _e234 = (_e233 & 2147483647u);
+                        let _e238 = (((select(_e224, _e217, (_e224 < _e217)) < 2139095040u) && (_e234 <= 2139095040u)) && (_e211 > 0u));
+                        if _e238 {
+                            let _e241 = (bitcast<u32>(bitcast<f32>(_e211)) & 2147483647u);
+                            if (_e241 >= 8388608u) {
+                                phi_478_ = (bitcast<i32>((_e241 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_394_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e234)), 32u, (_e234 == 0u))));
+                                phi_478_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e241)), 32u, (_e241 == 0u))));
                             }
-                            let _e248 = phi_394_;
-                            phi_395_ = _e248;
+                            let _e255 = phi_478_;
+                            phi_479_ = _e255;
                         } else {
-                            phi_395_ = 0i;
+                            phi_479_ = 0i;
                         }
-                        let _e250 = phi_395_;
-                        let _e251 = (_e160 == _e204);
-                        if _e251 {
-                            phi_405_ = true;
+                        let _e257 = phi_479_;
+                        let _e258 = (_e167 == _e211);
+                        if _e258 {
+                            phi_489_ = true;
                         } else {
-                            phi_405_ = (_e168 == _e204);
+                            phi_489_ = (_e175 == _e211);
                         }
-                        let _e254 = phi_405_;
-                        let _e255 = select(1u, 0u, _e251);
-                        if _e254 {
-                            let _e256 = (_e255 + 1u);
-                            phi_415_ = _e256;
-                            phi_416_ = _e256;
-                            phi_418_ = select(true, false, (_e256 == 2u));
+                        let _e261 = phi_489_;
+                        let _e262 = select(1u, 0u, _e258);
+                        if _e261 {
+                            let _e263 = (_e262 + 1u);
+                            phi_499_ = _e263;
+                            phi_500_ = _e263;
+                            phi_502_ = select(true, false, (_e263 == 2u));
                         } else {
-                            phi_415_ = u32();
-                            phi_416_ = 0u;
-                            phi_418_ = true;
+                            phi_499_ = u32();
+                            phi_500_ = 0u;
+                            phi_502_ = true;
                         }
-                        let _e260 = phi_415_;
-                        let _e262 = phi_416_;
-                        let _e264 = phi_418_;
-                        if _e264 {
-                            phi_423_ = (_e262 + 1u);
+                        let _e267 = phi_499_;
+                        let _e269 = phi_500_;
+                        let _e271 = phi_502_;
+                        if _e271 {
+                            phi_507_ = (_e269 + 1u);
                         } else {
-                            phi_423_ = 0u;
+                            phi_507_ = 0u;
                         }
-                        let _e268 = phi_423_;
-                        let _e269 = select(_e260, _e262, _e264);
-                        let _e270 = select(_e255, select(2u, _e255, _e254), _e264);
-                        let _e271 = -(_e250);
-                        if (_e271 < -126i) {
-                            phi_455_ = -126i;
+                        let _e275 = phi_507_;
+                        let _e276 = select(_e267, _e269, _e271);
+                        let _e277 = select(_e262, select(2u, _e262, _e261), _e271);
+                        let _e278 = -(_e257);
+                        if (_e278 < -126i) {
+                            phi_539_ = -126i;
                         } else {
-                            phi_455_ = select(_e271, 127i, (_e271 > 127i));
+                            phi_539_ = select(_e278, 127i, (_e278 > 127i));
                         }
-                        let _e276 = phi_455_;
-                        let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
-                        let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
-                        let _e292 = global_5.member[_e131].member.member;
-                        let _e293 = (_e269 == 0u);
-                        if _e293 {
-                            phi_473_ = _e292[0];
+                        let _e283 = phi_539_;
+                        let _e288 = bitcast<f32>((bitcast<u32>((_e283 + 127i)) << bitcast<u32>(23i)));
+                        let _e294 = bitcast<f32>((bitcast<u32>(((_e278 - _e283) + 127i)) << bitcast<u32>(23i)));
+                        let _e299 = global_5.member[_e138].member.member;
+                        let _e300 = (_e276 == 0u);
+                        if _e300 {
+                            phi_557_ = _e299[0];
                         } else {
-                            phi_473_ = _e292[1];
+                            phi_557_ = _e299[1];
                         }
-                        let _e297 = phi_473_;
-                        let _e298 = (_e269 == 2u);
-                        if _e298 {
-                            phi_479_ = _e292[2];
+                        let _e304 = phi_557_;
+                        let _e305 = (_e276 == 2u);
+                        if _e305 {
+                            phi_563_ = _e299[2];
                         } else {
-                            phi_479_ = _e297;
+                            phi_563_ = _e304;
                         }
-                        let _e301 = phi_479_;
-                        let _e302 = global_5.member[_e131].member.member_2;
-                        if _e293 {
-                            phi_490_ = _e302[0];
+                        let _e308 = phi_563_;
+                        let _e309 = bitcast<u32>(_e308);
+                        let _e311 = ((_e309 & 2139095040u) != 0u);
+                        let _e323 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e309 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e309 & 2147483648u))), _e308, _e311) * select(0.00000011920929f, 1f, _e311));
+                        let _e324 = global_5.member[_e138].member.member_2;
+                        if _e300 {
+                            phi_603_ = _e324[0];
                         } else {
-                            phi_490_ = _e302[1];
+                            phi_603_ = _e324[1];
                         }
-                        let _e306 = phi_490_;
-                        if _e298 {
-                            phi_496_ = _e302[2];
+                        let _e328 = phi_603_;
+                        if _e305 {
+                            phi_609_ = _e324[2];
                         } else {
-                            phi_496_ = _e306;
+                            phi_609_ = _e328;
                         }
-                        let _e309 = phi_496_;
-                        let _e311 = ((_e309 * _e281) * _e287);
-                        let _e315 = (bitcast<f32>((bitcast<u32>(_e311) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e315 {
-                            let _e319 = (bitcast<f32>((bitcast<u32>(_e301) & 2147483647u)) * 0.00000011920929f);
-                            phi_519_ = select(0.00000000000011368684f, _e319, (_e319 > 0.00000000000011368684f));
+                        let _e331 = phi_609_;
+                        let _e332 = bitcast<u32>(_e331);
+                        let _e334 = ((_e332 & 2139095040u) != 0u);
+                        let _e348 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e332 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e332 & 2147483648u))), _e331, _e334) * _e288) * select(0.00000011920929f, 1f, _e334)) * _e294);
+                        let _e352 = (bitcast<f32>((bitcast<u32>(_e348) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e352 {
+                            let _e356 = (bitcast<f32>((bitcast<u32>(_e323) & 2147483647u)) * 0.00000011920929f);
+                            phi_661_ = select(0.00000000000011368684f, _e356, (_e356 > 0.00000000000011368684f));
                         } else {
-                            phi_519_ = 0f;
+                            phi_661_ = 0f;
                         }
-                        let _e323 = phi_519_;
-                        let _e324 = (_e301 + _e323);
-                        let _e325 = (_e301 - _e323);
-                        let _e326 = select(_e311, 0f, _e315);
-                        if _e315 {
-                            phi_530_ = 38685626000000000000000000f;
+                        let _e360 = phi_661_;
+                        let _e361 = (_e323 + _e360);
+                        let _e362 = (_e323 - _e360);
+                        let _e363 = select(_e348, 0f, _e352);
+                        if _e352 {
+                            phi_672_ = 38685626000000000000000000f;
                         } else {
-                            phi_530_ = (1f / _e311);
+                            phi_672_ = (1f / _e348);
                         }
-                        let _e329 = phi_530_;
-                        let _e330 = (_e268 == 0u);
-                        if _e330 {
-                            phi_539_ = _e292[0];
+                        let _e366 = phi_672_;
+                        let _e367 = (_e275 == 0u);
+                        if _e367 {
+                            phi_681_ = _e299[0];
                         } else {
-                            phi_539_ = _e292[1];
+                            phi_681_ = _e299[1];
                         }
-                        let _e334 = phi_539_;
-                        let _e335 = (_e268 == 2u);
-                        if _e335 {
-                            phi_545_ = _e292[2];
+                        let _e371 = phi_681_;
+                        let _e372 = (_e275 == 2u);
+                        if _e372 {
+                            phi_687_ = _e299[2];
                         } else {
-                            phi_545_ = _e334;
+                            phi_687_ = _e371;
                         }
-                        let _e338 = phi_545_;
-                        if _e330 {
-                            phi_556_ = _e302[0];
+                        let _e375 = phi_687_;
+                        let _e376 = bitcast<u32>(_e375);
+                        let _e378 = ((_e376 & 2139095040u) != 0u);
+                        let _e390 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e376 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e376 & 2147483648u))), _e375, _e378) * select(0.00000011920929f, 1f, _e378));
+                        if _e367 {
+                            phi_727_ = _e324[0];
                         } else {
-                            phi_556_ = _e302[1];
+                            phi_727_ = _e324[1];
                         }
-                        let _e342 = phi_556_;
-                        if _e335 {
-                            phi_562_ = _e302[2];
+                        let _e394 = phi_727_;
+                        if _e372 {
+                            phi_733_ = _e324[2];
                         } else {
-                            phi_562_ = _e342;
+                            phi_733_ = _e394;
                         }
-                        let _e345 = phi_562_;
-                        let _e347 = ((_e345 * _e281) * _e287);
-                        let _e351 = (bitcast<f32>((bitcast<u32>(_e347) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e351 {
-                            let _e355 = (bitcast<f32>((bitcast<u32>(_e338) & 2147483647u)) * 0.00000011920929f);
-                            phi_585_ = select(0.00000000000011368684f, _e355, (_e355 > 0.00000000000011368684f));
+                        let _e397 = phi_733_;
+                        let _e398 = bitcast<u32>(_e397);
+                        let _e400 = ((_e398 & 2139095040u) != 0u);
+                        let _e414 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e398 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e398 & 2147483648u))), _e397, _e400) * _e288) * select(0.00000011920929f, 1f, _e400)) * _e294);
+                        let _e418 = (bitcast<f32>((bitcast<u32>(_e414) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e418 {
+                            let _e422 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) * 0.00000011920929f);
+                            phi_785_ = select(0.00000000000011368684f, _e422, (_e422 > 0.00000000000011368684f));
                         } else {
-                            phi_585_ = 0f;
+                            phi_785_ = 0f;
                         }
-                        let _e359 = phi_585_;
-                        let _e360 = (_e338 + _e359);
-                        let _e361 = (_e338 - _e359);
-                        let _e362 = select(_e347, 0f, _e351);
-                        if _e351 {
-                            phi_596_ = 38685626000000000000000000f;
+                        let _e426 = phi_785_;
+                        let _e427 = (_e390 + _e426);
+                        let _e428 = (_e390 - _e426);
+                        let _e429 = select(_e414, 0f, _e418);
+                        if _e418 {
+                            phi_796_ = 38685626000000000000000000f;
                         } else {
-                            phi_596_ = (1f / _e347);
+                            phi_796_ = (1f / _e414);
                         }
-                        let _e365 = phi_596_;
-                        let _e366 = (_e270 == 0u);
-                        if _e366 {
-                            phi_605_ = _e292[0];
+                        let _e432 = phi_796_;
+                        let _e433 = (_e277 == 0u);
+                        if _e433 {
+                            phi_805_ = _e299[0];
                         } else {
-                            phi_605_ = _e292[1];
+                            phi_805_ = _e299[1];
                         }
-                        let _e370 = phi_605_;
-                        let _e371 = (_e270 == 2u);
-                        if _e371 {
-                            phi_611_ = _e292[2];
+                        let _e437 = phi_805_;
+                        let _e438 = (_e277 == 2u);
+                        if _e438 {
+                            phi_811_ = _e299[2];
                         } else {
-                            phi_611_ = _e370;
+                            phi_811_ = _e437;
                         }
-                        let _e374 = phi_611_;
-                        if _e366 {
-                            phi_622_ = _e302[0];
+                        let _e441 = phi_811_;
+                        let _e442 = bitcast<u32>(_e441);
+                        let _e444 = ((_e442 & 2139095040u) != 0u);
+                        let _e456 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e442 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e442 & 2147483648u))), _e441, _e444) * select(0.00000011920929f, 1f, _e444));
+                        if _e433 {
+                            phi_851_ = _e324[0];
                         } else {
-                            phi_622_ = _e302[1];
+                            phi_851_ = _e324[1];
                         }
-                        let _e378 = phi_622_;
-                        if _e371 {
-                            phi_628_ = _e302[2];
+                        let _e460 = phi_851_;
+                        if _e438 {
+                            phi_857_ = _e324[2];
                         } else {
-                            phi_628_ = _e378;
+                            phi_857_ = _e460;
                         }
-                        let _e381 = phi_628_;
-                        let _e383 = ((_e381 * _e281) * _e287);
-                        let _e387 = (bitcast<f32>((bitcast<u32>(_e383) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e387 {
-                            let _e391 = (bitcast<f32>((bitcast<u32>(_e374) & 2147483647u)) * 0.00000011920929f);
-                            phi_651_ = select(0.00000000000011368684f, _e391, (_e391 > 0.00000000000011368684f));
+                        let _e463 = phi_857_;
+                        let _e464 = bitcast<u32>(_e463);
+                        let _e466 = ((_e464 & 2139095040u) != 0u);
+                        let _e480 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e464 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e464 & 2147483648u))), _e463, _e466) * _e288) * select(0.00000011920929f, 1f, _e466)) * _e294);
+                        let _e484 = (bitcast<f32>((bitcast<u32>(_e480) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e484 {
+                            let _e488 = (bitcast<f32>((bitcast<u32>(_e456) & 2147483647u)) * 0.00000011920929f);
+                            phi_909_ = select(0.00000000000011368684f, _e488, (_e488 > 0.00000000000011368684f));
                         } else {
-                            phi_651_ = 0f;
+                            phi_909_ = 0f;
                         }
-                        let _e395 = phi_651_;
-                        let _e396 = (_e374 + _e395);
-                        let _e397 = (_e374 - _e395);
-                        let _e398 = select(_e383, 0f, _e387);
-                        if _e387 {
-                            phi_662_ = 38685626000000000000000000f;
+                        let _e492 = phi_909_;
+                        let _e493 = (_e456 + _e492);
+                        let _e494 = (_e456 - _e492);
+                        let _e495 = select(_e480, 0f, _e484);
+                        if _e484 {
+                            phi_920_ = 38685626000000000000000000f;
                         } else {
-                            phi_662_ = (1f / _e383);
+                            phi_920_ = (1f / _e480);
                         }
-                        let _e401 = phi_662_;
-                        let _e404 = bitcast<f32>((bitcast<u32>(_e301) & 2147483647u));
-                        let _e407 = bitcast<f32>((bitcast<u32>(_e338) & 2147483647u));
-                        let _e409 = select(_e407, _e404, (_e404 > _e407));
-                        let _e412 = bitcast<f32>((bitcast<u32>(_e374) & 2147483647u));
-                        if (_e231 && (select(_e412, _e409, (_e409 > _e412)) <= 1099511600000f)) {
-                            let _e417 = (_e250 / 3i);
-                            let _e424 = bitcast<f32>((bitcast<u32>((_e417 + 127i)) << bitcast<u32>(23i)));
-                            let _e431 = bitcast<f32>((bitcast<u32>(((_e250 - (2i * _e417)) + 127i)) << bitcast<u32>(23i)));
-                            let _e432 = (((_e215 * _e424) * _e424) * _e431);
-                            let _e434 = select(340282350000000000000000000000000000000f, _e432, (_e432 < 340282350000000000000000000000000000000f));
-                            let _e439 = (((_e225 * _e424) * _e424) * _e431);
-                            let _e441 = select(340282350000000000000000000000000000000f, _e439, (_e439 < 340282350000000000000000000000000000000f));
-                            phi_762_ = select(-340282350000000000000000000000000000000f, _e441, (_e441 > -340282350000000000000000000000000000000f));
-                            phi_763_ = select(-340282350000000000000000000000000000000f, _e434, (_e434 > -340282350000000000000000000000000000000f));
+                        let _e498 = phi_920_;
+                        let _e501 = bitcast<f32>((bitcast<u32>(_e323) & 2147483647u));
+                        let _e504 = bitcast<f32>((bitcast<u32>(_e390) & 2147483647u));
+                        let _e506 = select(_e504, _e501, (_e501 > _e504));
+                        let _e509 = bitcast<f32>((bitcast<u32>(_e456) & 2147483647u));
+                        if (_e238 && (select(_e509, _e506, (_e506 > _e509)) <= 1099511600000f)) {
+                            let _e521 = ((_e224 & 8388607u) | (select(0u, 1u, ((_e224 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e524 = bitcast<i32>((_e224 >> bitcast<u32>(23i)));
+                            let _e528 = (_e521 == 0u);
+                            let _e531 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e521)), 32u, _e528)) - 8i);
+                            if (_e524 == 255i) {
+                                phi_975_ = 255i;
+                            } else {
+                                phi_975_ = (((_e524 + select(0i, 1i, (_e524 == 0i))) - _e531) + _e257);
+                            }
+                            let _e539 = phi_975_;
+                            let _e549 = (_e539 <= 0i);
+                            if _e549 {
+                                phi_998_ = u32();
+                            } else {
+                                if _e528 {
+                                    phi_997_ = u32();
+                                } else {
+                                    phi_997_ = select(((bitcast<u32>(_e539) << bitcast<u32>(23i)) | ((_e521 << bitcast<u32>(((_e531 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e539 >= 255i));
+                                }
+                                let _e553 = phi_997_;
+                                phi_998_ = _e553;
+                            }
+                            let _e555 = phi_998_;
+                            let _e567 = ((_e234 & 8388607u) | (select(0u, 1u, ((_e234 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e570 = bitcast<i32>((_e234 >> bitcast<u32>(23i)));
+                            let _e574 = (_e567 == 0u);
+                            let _e577 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e567)), 32u, _e574)) - 8i);
+                            if (_e570 == 255i) {
+                                phi_1035_ = 255i;
+                            } else {
+                                phi_1035_ = (((_e570 + select(0i, 1i, (_e570 == 0i))) - _e577) + _e257);
+                            }
+                            let _e585 = phi_1035_;
+                            let _e595 = (_e585 <= 0i);
+                            if _e595 {
+                                phi_1058_ = u32();
+                            } else {
+                                if _e574 {
+                                    phi_1057_ = u32();
+                                } else {
+                                    phi_1057_ = select(((bitcast<u32>(_e585) << bitcast<u32>(23i)) | ((_e567 << bitcast<u32>(((_e577 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e585 >= 255i));
+                                }
+                                let _e599 = phi_1057_;
+                                phi_1058_ = _e599;
+                            }
+                            let _e601 = phi_1058_;
+                            phi_1066_ = bitcast<f32>(((_e233 & 2147483648u) | select(_e601, 0u, select(_e574, true, _e595))));
+                            phi_1067_ = bitcast<f32>(((_e223 & 2147483648u) | select(_e555, 0u, select(_e528, true, _e549))));
                         } else {
-                            phi_762_ = 0f;
-                            phi_763_ = 1f;
+                            phi_1066_ = 0f;
+                            phi_1067_ = 1f;
                         }
-                        let _e445 = phi_762_;
-                        let _e447 = phi_763_;
-                        if _e146 {
+                        let _e607 = phi_1066_;
+                        let _e609 = phi_1067_;
+                        if _e153 {
                         } else {
                             break;
                         }
-                        let _e453 = global_5.member[_e131].member_2;
+                        let _e615 = global_5.member[_e138].member_2;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -512,993 +592,1092 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e456 = (_e269 % 3u);
-                        let _e457 = (_e456 < 3u);
-                        if _e457 {
+                        let _e618 = (_e276 % 3u);
+                        let _e619 = (_e618 < 3u);
+                        if _e619 {
                         } else {
                             break;
                         }
-                        let _e459 = local_1[_e456];
-                        let _e462 = (_e268 % 3u);
-                        let _e463 = (_e462 < 3u);
-                        if _e463 {
+                        let _e621 = local_1[_e618];
+                        let _e624 = (_e275 % 3u);
+                        let _e625 = (_e624 < 3u);
+                        if _e625 {
                         } else {
                             break;
                         }
-                        let _e465 = local_1[_e462];
-                        let _e468 = (_e270 % 3u);
-                        let _e469 = (_e468 < 3u);
-                        if _e469 {
+                        let _e627 = local_1[_e624];
+                        let _e630 = (_e277 % 3u);
+                        let _e631 = (_e630 < 3u);
+                        if _e631 {
                         } else {
                             break;
                         }
-                        let _e471 = local_1[_e468];
-                        if _e457 {
+                        let _e633 = local_1[_e630];
+                        if _e619 {
                         } else {
                             break;
                         }
-                        let _e476 = local[_e456];
-                        if _e463 {
+                        let _e638 = local[_e618];
+                        if _e625 {
                         } else {
                             break;
                         }
-                        let _e480 = local[_e462];
-                        if _e469 {
+                        let _e642 = local[_e624];
+                        if _e631 {
                         } else {
                             break;
                         }
-                        let _e484 = local[_e468];
-                        phi_3592_ = false;
-                        phi_861_ = type_46(type_42(type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e445), 0u, 0u);
-                        phi_864_ = type_53(type_38(vec4<f32>((f32(_e459) * _e143), (f32(_e465) * _e143), (f32(_e471) * _e143), 0f), vec4<f32>((f32(_e476) * _e143), (f32(_e480) * _e143), (f32(_e484) * _e143), 0f)), select(0u, 2147483648u, (_e89 == 0u)));
-                        phi_866_ = ((3u * _e89) + 1u);
-                        phi_868_ = (_e447 <= _e445);
-                        phi_870_ = 0u;
+                        let _e646 = local[_e630];
+                        phi_4002_ = false;
+                        phi_1165_ = type_46(type_42(type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e607), 0u, 0u);
+                        phi_1168_ = type_53(type_38(vec4<f32>((f32(_e621) * _e150), (f32(_e627) * _e150), (f32(_e633) * _e150), 0f), vec4<f32>((f32(_e638) * _e150), (f32(_e642) * _e150), (f32(_e646) * _e150), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
+                        phi_1170_ = ((3u * _e96) + 1u);
+                        phi_1172_ = (_e609 <= _e607);
+                        phi_1174_ = 0u;
                         loop {
-                            let _e494 = phi_3592_;
-                            let _e496 = phi_861_;
-                            let _e498 = phi_864_;
-                            let _e500 = phi_866_;
-                            let _e502 = phi_868_;
-                            let _e504 = phi_870_;
-                            local_10 = _e496;
-                            local_11 = _e496;
-                            if _e502 {
-                                phi_881_ = true;
+                            let _e656 = phi_4002_;
+                            let _e658 = phi_1165_;
+                            let _e660 = phi_1168_;
+                            let _e662 = phi_1170_;
+                            let _e664 = phi_1172_;
+                            let _e666 = phi_1174_;
+                            local_10 = _e658;
+                            local_11 = _e658;
+                            if _e664 {
+                                phi_1185_ = true;
                             } else {
-                                phi_881_ = (_e504 > 0u);
+                                phi_1185_ = (_e666 > 0u);
                             }
-                            let _e507 = phi_881_;
-                            if _e507 {
-                                let _e508 = (_e500 > 0u);
-                                if _e508 {
-                                    if _e502 {
-                                        phi_967_ = _e498;
-                                        phi_968_ = _e502;
-                                        phi_969_ = _e504;
+                            let _e669 = phi_1185_;
+                            if _e669 {
+                                let _e670 = (_e662 > 0u);
+                                if _e670 {
+                                    if _e664 {
+                                        phi_1271_ = _e660;
+                                        phi_1272_ = _e664;
+                                        phi_1273_ = _e666;
                                     } else {
-                                        let _e509 = (_e504 - 1u);
-                                        let _e510 = (_e509 % 128u);
-                                        let _e511 = (_e510 < 128u);
-                                        if _e511 {
+                                        let _e671 = (_e666 - 1u);
+                                        let _e672 = (_e671 % 128u);
+                                        let _e673 = (_e672 < 128u);
+                                        if _e673 {
                                         } else {
-                                            phi_3728_ = true;
+                                            phi_4156_ = true;
                                             break;
                                         }
-                                        let _e513 = local_7[_e510];
-                                        if _e511 {
+                                        let _e675 = local_7[_e672];
+                                        if _e673 {
                                         } else {
-                                            phi_3728_ = true;
+                                            phi_4156_ = true;
                                             break;
                                         }
-                                        let _e515 = local_6[_e510];
-                                        if _e511 {
+                                        let _e677 = local_6[_e672];
+                                        if _e673 {
                                         } else {
-                                            phi_3728_ = true;
+                                            phi_4156_ = true;
                                             break;
                                         }
-                                        let _e517 = local_5[_e510];
-                                        if _e511 {
+                                        let _e679 = local_5[_e672];
+                                        if _e673 {
                                         } else {
-                                            phi_3728_ = true;
+                                            phi_4156_ = true;
                                             break;
                                         }
-                                        let _e519 = local_4[_e510];
-                                        if _e511 {
+                                        let _e681 = local_4[_e672];
+                                        if _e673 {
                                         } else {
-                                            phi_3728_ = true;
+                                            phi_4156_ = true;
                                             break;
                                         }
-                                        let _e521 = local_3[_e510];
-                                        if _e511 {
+                                        let _e683 = local_3[_e672];
+                                        if _e673 {
                                         } else {
-                                            phi_3728_ = true;
+                                            phi_4156_ = true;
                                             break;
                                         }
-                                        let _e523 = local_2[_e510];
-                                        if _e511 {
+                                        let _e685 = local_2[_e672];
+                                        if _e673 {
                                         } else {
-                                            phi_3728_ = true;
+                                            phi_4156_ = true;
                                             break;
                                         }
-                                        let _e528 = local_8[_e510];
-                                        if _e511 {
+                                        let _e690 = local_8[_e672];
+                                        if _e673 {
                                         } else {
-                                            phi_3728_ = true;
+                                            phi_4156_ = true;
                                             break;
                                         }
-                                        let _e531 = local_9[_e510];
-                                        phi_967_ = type_53(type_38(vec4<f32>(_e513, _e515, _e517, 0f), vec4<f32>(_e519, _e521, _e523, 0f)), _e528);
-                                        phi_968_ = (_e531 <= _e496.member.member_1);
-                                        phi_969_ = _e509;
+                                        let _e693 = local_9[_e672];
+                                        phi_1271_ = type_53(type_38(vec4<f32>(_e675, _e677, _e679, 0f), vec4<f32>(_e681, _e683, _e685, 0f)), _e690);
+                                        phi_1272_ = (_e693 <= _e658.member.member_1);
+                                        phi_1273_ = _e671;
                                     }
-                                    let _e536 = phi_967_;
-                                    let _e538 = phi_968_;
-                                    let _e540 = phi_969_;
-                                    if _e538 {
-                                        if ((_e536.member_1 & 2147483648u) != 0u) {
-                                            phi_987_ = _e496;
-                                            phi_990_ = type_7(0u, ((_e536.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e698 = phi_1271_;
+                                    let _e700 = phi_1272_;
+                                    let _e702 = phi_1273_;
+                                    if _e700 {
+                                        if ((_e698.member_1 & 2147483648u) != 0u) {
+                                            phi_1291_ = _e658;
+                                            phi_1294_ = type_7(0u, ((_e698.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e991 = phi_987_;
-                                                let _e993 = phi_990_;
-                                                local_12 = _e991;
-                                                if (_e993.member < _e993.member_1) {
-                                                    phi_991_ = type_7((_e993.member + 1u), _e993.member_1);
-                                                    phi_1013_ = type_7(1u, _e993.member);
+                                                let _e1159 = phi_1291_;
+                                                let _e1161 = phi_1294_;
+                                                local_12 = _e1159;
+                                                if (_e1161.member < _e1161.member_1) {
+                                                    phi_1295_ = type_7((_e1161.member + 1u), _e1161.member_1);
+                                                    phi_1317_ = type_7(1u, _e1161.member);
                                                 } else {
-                                                    phi_991_ = _e993;
-                                                    phi_1013_ = type_7(0u, type_7().member_1);
+                                                    phi_1295_ = _e1161;
+                                                    phi_1317_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e1006 = phi_991_;
-                                                let _e1008 = phi_1013_;
-                                                let _e1012 = (bitcast<i32>(_e1008.member) != 0i);
-                                                if _e1012 {
-                                                    let _e1018 = type_46(_e991.member, _e991.member_1, (_e991.member_2 + 1u));
-                                                    let _e1019 = ((_e536.member_1 & 268435455u) + _e1008.member_1);
-                                                    let _e1020 = (_e1019 < _e91);
-                                                    if _e1020 {
-                                                        if _e1020 {
+                                                let _e1174 = phi_1295_;
+                                                let _e1176 = phi_1317_;
+                                                let _e1180 = (bitcast<i32>(_e1176.member) != 0i);
+                                                if _e1180 {
+                                                    let _e1186 = type_46(_e1159.member, _e1159.member_1, (_e1159.member_2 + 1u));
+                                                    let _e1187 = ((_e698.member_1 & 268435455u) + _e1176.member_1);
+                                                    let _e1188 = (_e1187 < _e98);
+                                                    if _e1188 {
+                                                        if _e1188 {
                                                         } else {
-                                                            phi_3586_ = true;
+                                                            phi_3996_ = true;
                                                             break;
                                                         }
-                                                        let _e1024 = global_1.member[_e1019].member_1;
-                                                        phi_1037_ = _e1024;
+                                                        let _e1192 = global_1.member[_e1187].member_1;
+                                                        phi_1341_ = _e1192;
                                                     } else {
-                                                        phi_1037_ = 4294967295u;
+                                                        phi_1341_ = 4294967295u;
                                                     }
-                                                    let _e1026 = phi_1037_;
-                                                    if (_e1019 >= _e91) {
-                                                        phi_1126_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e1194 = phi_1341_;
+                                                    if (_e1187 >= _e98) {
+                                                        phi_1430_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e1020 {
+                                                        if _e1188 {
                                                         } else {
-                                                            phi_3586_ = true;
+                                                            phi_3996_ = true;
                                                             break;
                                                         }
-                                                        if (_e456 < 9u) {
+                                                        if (_e618 < 9u) {
                                                         } else {
-                                                            phi_3586_ = true;
+                                                            phi_3996_ = true;
                                                             break;
                                                         }
-                                                        let _e1033 = global_1.member[_e1019].member[_e456];
-                                                        if (_e462 < 9u) {
+                                                        let _e1201 = global_1.member[_e1187].member[_e618];
+                                                        if (_e624 < 9u) {
                                                         } else {
-                                                            phi_3586_ = true;
+                                                            phi_3996_ = true;
                                                             break;
                                                         }
-                                                        let _e1039 = global_1.member[_e1019].member[_e462];
-                                                        if (_e468 < 9u) {
+                                                        let _e1207 = global_1.member[_e1187].member[_e624];
+                                                        if (_e630 < 9u) {
                                                         } else {
-                                                            phi_3586_ = true;
+                                                            phi_3996_ = true;
                                                             break;
                                                         }
-                                                        let _e1045 = global_1.member[_e1019].member[_e468];
-                                                        let _e1047 = (3u + _e456);
-                                                        if (_e1047 < 9u) {
+                                                        let _e1213 = global_1.member[_e1187].member[_e630];
+                                                        let _e1215 = (3u + _e618);
+                                                        if (_e1215 < 9u) {
                                                         } else {
-                                                            phi_3586_ = true;
+                                                            phi_3996_ = true;
                                                             break;
                                                         }
-                                                        let _e1053 = global_1.member[_e1019].member[_e1047];
-                                                        let _e1054 = (3u + _e462);
-                                                        if (_e1054 < 9u) {
+                                                        let _e1221 = global_1.member[_e1187].member[_e1215];
+                                                        let _e1222 = (3u + _e624);
+                                                        if (_e1222 < 9u) {
                                                         } else {
-                                                            phi_3586_ = true;
+                                                            phi_3996_ = true;
                                                             break;
                                                         }
-                                                        let _e1060 = global_1.member[_e1019].member[_e1054];
-                                                        let _e1061 = (3u + _e468);
-                                                        if (_e1061 < 9u) {
+                                                        let _e1228 = global_1.member[_e1187].member[_e1222];
+                                                        let _e1229 = (3u + _e630);
+                                                        if (_e1229 < 9u) {
                                                         } else {
-                                                            phi_3586_ = true;
+                                                            phi_3996_ = true;
                                                             break;
                                                         }
-                                                        let _e1067 = global_1.member[_e1019].member[_e1061];
-                                                        let _e1069 = (6u + _e456);
-                                                        if (_e1069 < 9u) {
+                                                        let _e1235 = global_1.member[_e1187].member[_e1229];
+                                                        let _e1237 = (6u + _e618);
+                                                        if (_e1237 < 9u) {
                                                         } else {
-                                                            phi_3586_ = true;
+                                                            phi_3996_ = true;
                                                             break;
                                                         }
-                                                        let _e1075 = global_1.member[_e1019].member[_e1069];
-                                                        let _e1076 = (6u + _e462);
-                                                        if (_e1076 < 9u) {
+                                                        let _e1243 = global_1.member[_e1187].member[_e1237];
+                                                        let _e1244 = (6u + _e624);
+                                                        if (_e1244 < 9u) {
                                                         } else {
-                                                            phi_3586_ = true;
+                                                            phi_3996_ = true;
                                                             break;
                                                         }
-                                                        let _e1082 = global_1.member[_e1019].member[_e1076];
-                                                        let _e1083 = (6u + _e468);
-                                                        if (_e1083 < 9u) {
+                                                        let _e1250 = global_1.member[_e1187].member[_e1244];
+                                                        let _e1251 = (6u + _e630);
+                                                        if (_e1251 < 9u) {
                                                         } else {
-                                                            phi_3586_ = true;
+                                                            phi_3996_ = true;
                                                             break;
                                                         }
-                                                        let _e1089 = global_1.member[_e1019].member[_e1083];
-                                                        phi_1126_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1033, _e1039, _e1045), array<f32, 3>(_e1053, _e1060, _e1067), array<f32, 3>(_e1075, _e1082, _e1089));
+                                                        let _e1257 = global_1.member[_e1187].member[_e1251];
+                                                        phi_1430_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1201, _e1207, _e1213), array<f32, 3>(_e1221, _e1228, _e1235), array<f32, 3>(_e1243, _e1250, _e1257));
                                                     }
-                                                    let _e1093 = phi_1126_;
-                                                    let _e1102 = (_e1093[0][2] - _e374);
-                                                    let _e1105 = (((_e1093[0][0] - _e301) * _e398) - (_e1102 * _e326));
-                                                    let _e1108 = (((_e1093[0][1] - _e338) * _e398) - (_e1102 * _e362));
-                                                    let _e1115 = (_e1093[1][2] - _e374);
-                                                    let _e1118 = (((_e1093[1][0] - _e301) * _e398) - (_e1115 * _e326));
-                                                    let _e1121 = (((_e1093[1][1] - _e338) * _e398) - (_e1115 * _e362));
-                                                    let _e1128 = (_e1093[2][2] - _e374);
-                                                    let _e1131 = (((_e1093[2][0] - _e301) * _e398) - (_e1128 * _e326));
-                                                    let _e1134 = (((_e1093[2][1] - _e338) * _e398) - (_e1128 * _e362));
-                                                    let _e1135 = (_e1131 * _e1121);
-                                                    let _e1136 = (_e1134 * _e1118);
-                                                    let _e1137 = (_e1105 * _e1134);
-                                                    let _e1138 = (_e1108 * _e1131);
-                                                    let _e1139 = (_e1118 * _e1108);
-                                                    let _e1140 = (_e1121 * _e1105);
-                                                    let _e1145 = (((_e1135 >= _e1136) && (_e1137 >= _e1138)) && (_e1139 >= _e1140));
-                                                    if (_e1145 || (((_e1135 <= _e1136) && (_e1137 <= _e1138)) && (_e1139 <= _e1140))) {
-                                                        let _e1152 = select(-1f, 1f, _e1145);
-                                                        let _e1154 = ((_e1135 - _e1136) * _e1152);
-                                                        let _e1156 = select(0f, _e1154, (_e1154 > 0f));
-                                                        let _e1158 = ((_e1137 - _e1138) * _e1152);
-                                                        let _e1160 = select(0f, _e1158, (_e1158 > 0f));
-                                                        let _e1162 = ((_e1139 - _e1140) * _e1152);
-                                                        let _e1164 = select(0f, _e1162, (_e1162 > 0f));
-                                                        let _e1166 = ((_e1156 + _e1160) + _e1164);
-                                                        if (_e1166 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1951_ = type_26();
-                                                            phi_1952_ = true;
-                                                            phi_1953_ = false;
+                                                    let _e1261 = phi_1430_;
+                                                    let _e1270 = (_e1261[0][2] - _e456);
+                                                    let _e1273 = (((_e1261[0][0] - _e323) * _e495) - (_e1270 * _e363));
+                                                    let _e1276 = (((_e1261[0][1] - _e390) * _e495) - (_e1270 * _e429));
+                                                    let _e1283 = (_e1261[1][2] - _e456);
+                                                    let _e1286 = (((_e1261[1][0] - _e323) * _e495) - (_e1283 * _e363));
+                                                    let _e1289 = (((_e1261[1][1] - _e390) * _e495) - (_e1283 * _e429));
+                                                    let _e1296 = (_e1261[2][2] - _e456);
+                                                    let _e1299 = (((_e1261[2][0] - _e323) * _e495) - (_e1296 * _e363));
+                                                    let _e1302 = (((_e1261[2][1] - _e390) * _e495) - (_e1296 * _e429));
+                                                    let _e1303 = (_e1299 * _e1289);
+                                                    let _e1304 = (_e1302 * _e1286);
+                                                    let _e1305 = (_e1273 * _e1302);
+                                                    let _e1306 = (_e1276 * _e1299);
+                                                    let _e1307 = (_e1286 * _e1276);
+                                                    let _e1308 = (_e1289 * _e1273);
+                                                    let _e1313 = (((_e1303 >= _e1304) && (_e1305 >= _e1306)) && (_e1307 >= _e1308));
+                                                    if (_e1313 || (((_e1303 <= _e1304) && (_e1305 <= _e1306)) && (_e1307 <= _e1308))) {
+                                                        let _e1320 = select(-1f, 1f, _e1313);
+                                                        let _e1322 = ((_e1303 - _e1304) * _e1320);
+                                                        let _e1324 = select(0f, _e1322, (_e1322 > 0f));
+                                                        let _e1326 = ((_e1305 - _e1306) * _e1320);
+                                                        let _e1328 = select(0f, _e1326, (_e1326 > 0f));
+                                                        let _e1330 = ((_e1307 - _e1308) * _e1320);
+                                                        let _e1332 = select(0f, _e1330, (_e1330 > 0f));
+                                                        let _e1334 = ((_e1324 + _e1328) + _e1332);
+                                                        if (_e1334 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2255_ = type_26();
+                                                            phi_2256_ = true;
+                                                            phi_2257_ = false;
                                                         } else {
-                                                            let _e1169 = select(_e1118, _e1105, (_e1105 < _e1118));
-                                                            if (select(_e1131, _e1169, (_e1169 < _e1131)) > 0f) {
-                                                                phi_1243_ = true;
+                                                            let _e1337 = select(_e1286, _e1273, (_e1273 < _e1286));
+                                                            if (select(_e1299, _e1337, (_e1337 < _e1299)) > 0f) {
+                                                                phi_1547_ = true;
                                                             } else {
-                                                                let _e1174 = select(_e1118, _e1105, (_e1105 > _e1118));
-                                                                phi_1243_ = (select(_e1131, _e1174, (_e1174 > _e1131)) < 0f);
+                                                                let _e1342 = select(_e1286, _e1273, (_e1273 > _e1286));
+                                                                phi_1547_ = (select(_e1299, _e1342, (_e1342 > _e1299)) < 0f);
                                                             }
-                                                            let _e1179 = phi_1243_;
-                                                            if _e1179 {
-                                                                phi_1948_ = type_26();
-                                                                phi_1949_ = true;
-                                                                phi_1950_ = false;
+                                                            let _e1347 = phi_1547_;
+                                                            if _e1347 {
+                                                                phi_2252_ = type_26();
+                                                                phi_2253_ = true;
+                                                                phi_2254_ = false;
                                                             } else {
-                                                                let _e1181 = select(_e1121, _e1108, (_e1108 < _e1121));
-                                                                if (select(_e1134, _e1181, (_e1181 < _e1134)) > 0f) {
-                                                                    phi_1272_ = true;
+                                                                let _e1349 = select(_e1289, _e1276, (_e1276 < _e1289));
+                                                                if (select(_e1302, _e1349, (_e1349 < _e1302)) > 0f) {
+                                                                    phi_1576_ = true;
                                                                 } else {
-                                                                    let _e1186 = select(_e1121, _e1108, (_e1108 > _e1121));
-                                                                    phi_1272_ = (select(_e1134, _e1186, (_e1186 > _e1134)) < 0f);
+                                                                    let _e1354 = select(_e1289, _e1276, (_e1276 > _e1289));
+                                                                    phi_1576_ = (select(_e1302, _e1354, (_e1354 > _e1302)) < 0f);
                                                                 }
-                                                                let _e1191 = phi_1272_;
-                                                                if _e1191 {
-                                                                    phi_1946_ = type_26();
-                                                                    phi_1947_ = false;
+                                                                let _e1359 = phi_1576_;
+                                                                if _e1359 {
+                                                                    phi_2250_ = type_26();
+                                                                    phi_2251_ = false;
                                                                 } else {
-                                                                    let _e1193 = select(_e1093[1][0], _e1093[0][0], (_e1093[0][0] < _e1093[1][0]));
-                                                                    let _e1197 = select(_e1093[1][0], _e1093[0][0], (_e1093[0][0] > _e1093[1][0]));
-                                                                    let _e1201 = select(_e1093[1][1], _e1093[0][1], (_e1093[0][1] < _e1093[1][1]));
-                                                                    let _e1205 = select(_e1093[1][1], _e1093[0][1], (_e1093[0][1] > _e1093[1][1]));
-                                                                    let _e1209 = select(_e1093[1][2], _e1093[0][2], (_e1093[0][2] < _e1093[1][2]));
-                                                                    let _e1213 = select(_e1093[1][2], _e1093[0][2], (_e1093[0][2] > _e1093[1][2]));
-                                                                    let _e1218 = ((select(_e1093[2][0], _e1193, (_e1193 < _e1093[2][0])) - _e324) * _e329);
-                                                                    let _e1219 = ((select(_e1093[2][0], _e1197, (_e1197 > _e1093[2][0])) - _e325) * _e329);
-                                                                    let _e1222 = ((select(_e1093[2][1], _e1201, (_e1201 < _e1093[2][1])) - _e360) * _e365);
-                                                                    let _e1223 = ((select(_e1093[2][1], _e1205, (_e1205 > _e1093[2][1])) - _e361) * _e365);
-                                                                    let _e1226 = ((select(_e1093[2][2], _e1209, (_e1209 < _e1093[2][2])) - _e396) * _e401);
-                                                                    let _e1227 = ((select(_e1093[2][2], _e1213, (_e1213 > _e1093[2][2])) - _e397) * _e401);
-                                                                    let _e1229 = select(_e1227, _e1226, (_e1226 < _e1227));
-                                                                    let _e1231 = select(_e1227, _e1226, (_e1226 > _e1227));
-                                                                    let _e1233 = select(_e1219, _e1218, (_e1218 < _e1219));
-                                                                    let _e1235 = select(_e1223, _e1222, (_e1222 < _e1223));
-                                                                    let _e1237 = select(_e1235, _e1233, (_e1233 > _e1235));
-                                                                    let _e1239 = select(_e1229, _e1237, (_e1237 > _e1229));
-                                                                    let _e1241 = select(_e1219, _e1218, (_e1218 > _e1219));
-                                                                    let _e1243 = select(_e1223, _e1222, (_e1222 > _e1223));
-                                                                    let _e1245 = select(_e1243, _e1241, (_e1241 < _e1243));
-                                                                    let _e1247 = select(_e1231, _e1245, (_e1245 < _e1231));
-                                                                    let _e1248 = -(_e1229);
-                                                                    let _e1254 = select(_e447, _e1239, (_e1239 > _e447));
-                                                                    if (_e1254 > (_e1247 + (select(_e1248, _e1231, (_e1231 > _e1248)) * 0.0000019073523f))) {
-                                                                        phi_1941_ = type_26();
-                                                                        phi_1942_ = true;
+                                                                    let _e1361 = select(_e1261[1][0], _e1261[0][0], (_e1261[0][0] < _e1261[1][0]));
+                                                                    let _e1365 = select(_e1261[1][0], _e1261[0][0], (_e1261[0][0] > _e1261[1][0]));
+                                                                    let _e1369 = select(_e1261[1][1], _e1261[0][1], (_e1261[0][1] < _e1261[1][1]));
+                                                                    let _e1373 = select(_e1261[1][1], _e1261[0][1], (_e1261[0][1] > _e1261[1][1]));
+                                                                    let _e1377 = select(_e1261[1][2], _e1261[0][2], (_e1261[0][2] < _e1261[1][2]));
+                                                                    let _e1381 = select(_e1261[1][2], _e1261[0][2], (_e1261[0][2] > _e1261[1][2]));
+                                                                    let _e1386 = ((select(_e1261[2][0], _e1361, (_e1361 < _e1261[2][0])) - _e361) * _e366);
+                                                                    let _e1387 = ((select(_e1261[2][0], _e1365, (_e1365 > _e1261[2][0])) - _e362) * _e366);
+                                                                    let _e1390 = ((select(_e1261[2][1], _e1369, (_e1369 < _e1261[2][1])) - _e427) * _e432);
+                                                                    let _e1391 = ((select(_e1261[2][1], _e1373, (_e1373 > _e1261[2][1])) - _e428) * _e432);
+                                                                    let _e1394 = ((select(_e1261[2][2], _e1377, (_e1377 < _e1261[2][2])) - _e493) * _e498);
+                                                                    let _e1395 = ((select(_e1261[2][2], _e1381, (_e1381 > _e1261[2][2])) - _e494) * _e498);
+                                                                    let _e1397 = select(_e1395, _e1394, (_e1394 < _e1395));
+                                                                    let _e1399 = select(_e1395, _e1394, (_e1394 > _e1395));
+                                                                    let _e1401 = select(_e1387, _e1386, (_e1386 < _e1387));
+                                                                    let _e1403 = select(_e1391, _e1390, (_e1390 < _e1391));
+                                                                    let _e1405 = select(_e1403, _e1401, (_e1401 > _e1403));
+                                                                    let _e1407 = select(_e1397, _e1405, (_e1405 > _e1397));
+                                                                    let _e1409 = select(_e1387, _e1386, (_e1386 > _e1387));
+                                                                    let _e1411 = select(_e1391, _e1390, (_e1390 > _e1391));
+                                                                    let _e1413 = select(_e1411, _e1409, (_e1409 < _e1411));
+                                                                    let _e1415 = select(_e1399, _e1413, (_e1413 < _e1399));
+                                                                    let _e1416 = -(_e1397);
+                                                                    let _e1422 = select(_e609, _e1407, (_e1407 > _e609));
+                                                                    if (_e1422 > (_e1415 + (select(_e1416, _e1399, (_e1399 > _e1416)) * 0.0000019073523f))) {
+                                                                        phi_2245_ = type_26();
+                                                                        phi_2246_ = true;
                                                                     } else {
-                                                                        let _e1256 = (_e1254 > _e991.member.member_1);
-                                                                        if _e1256 {
-                                                                            phi_1940_ = type_26();
+                                                                        let _e1424 = (_e1422 > _e1159.member.member_1);
+                                                                        if _e1424 {
+                                                                            phi_2244_ = type_26();
                                                                         } else {
-                                                                            let _e1257 = vec3<f32>(_e1093[0][0], _e1093[0][1], _e1093[0][2]);
-                                                                            let _e1258 = vec3<f32>(_e1093[1][0], _e1093[1][1], _e1093[1][2]);
-                                                                            let _e1259 = vec3<f32>(_e1093[2][0], _e1093[2][1], _e1093[2][2]);
-                                                                            let _e1260 = (_e1093[1][0] - _e1093[0][0]);
-                                                                            let _e1261 = (_e1093[1][1] - _e1093[0][1]);
-                                                                            let _e1262 = (_e1093[1][2] - _e1093[0][2]);
-                                                                            let _e1263 = vec3<f32>(_e1260, _e1261, _e1262);
-                                                                            let _e1264 = (_e1093[2][0] - _e1093[1][0]);
-                                                                            let _e1265 = (_e1093[2][1] - _e1093[1][1]);
-                                                                            let _e1266 = (_e1093[2][2] - _e1093[1][2]);
-                                                                            let _e1267 = vec3<f32>(_e1264, _e1265, _e1266);
-                                                                            let _e1268 = (_e1093[0][0] - _e1093[2][0]);
-                                                                            let _e1269 = (_e1093[0][1] - _e1093[2][1]);
-                                                                            let _e1270 = (_e1093[0][2] - _e1093[2][2]);
-                                                                            let _e1271 = vec3<f32>(_e1268, _e1269, _e1270);
-                                                                            let _e1274 = bitcast<f32>((bitcast<u32>(_e1260) & 2147483647u));
-                                                                            let _e1277 = bitcast<f32>((bitcast<u32>(_e1261) & 2147483647u));
-                                                                            let _e1279 = select(_e1277, _e1274, (_e1274 > _e1277));
-                                                                            let _e1282 = bitcast<f32>((bitcast<u32>(_e1262) & 2147483647u));
-                                                                            let _e1284 = select(_e1282, _e1279, (_e1279 > _e1282));
-                                                                            let _e1287 = bitcast<f32>((bitcast<u32>(_e1264) & 2147483647u));
-                                                                            let _e1290 = bitcast<f32>((bitcast<u32>(_e1265) & 2147483647u));
-                                                                            let _e1292 = select(_e1290, _e1287, (_e1287 > _e1290));
-                                                                            let _e1295 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
-                                                                            let _e1297 = select(_e1295, _e1292, (_e1292 > _e1295));
-                                                                            let _e1300 = bitcast<f32>((bitcast<u32>(_e1268) & 2147483647u));
-                                                                            let _e1303 = bitcast<f32>((bitcast<u32>(_e1269) & 2147483647u));
-                                                                            let _e1305 = select(_e1303, _e1300, (_e1300 > _e1303));
-                                                                            let _e1308 = bitcast<f32>((bitcast<u32>(_e1270) & 2147483647u));
-                                                                            let _e1310 = select(_e1308, _e1305, (_e1305 > _e1308));
-                                                                            let _e1312 = select(_e1297, _e1284, (_e1284 > _e1297));
-                                                                            let _e1314 = select(_e1310, _e1312, (_e1312 > _e1310));
-                                                                            if (_e1284 == _e1314) {
-                                                                                phi_1673_ = _e1121;
-                                                                                phi_1674_ = _e1118;
-                                                                                phi_1675_ = _e1108;
-                                                                                phi_1676_ = _e1105;
-                                                                                phi_1677_ = _e1257;
-                                                                                phi_1678_ = _e1271;
-                                                                                phi_1679_ = _e1267;
-                                                                                phi_1680_ = _e1263;
+                                                                            let _e1425 = vec3<f32>(_e1261[0][0], _e1261[0][1], _e1261[0][2]);
+                                                                            let _e1426 = vec3<f32>(_e1261[1][0], _e1261[1][1], _e1261[1][2]);
+                                                                            let _e1427 = vec3<f32>(_e1261[2][0], _e1261[2][1], _e1261[2][2]);
+                                                                            let _e1428 = (_e1261[1][0] - _e1261[0][0]);
+                                                                            let _e1429 = (_e1261[1][1] - _e1261[0][1]);
+                                                                            let _e1430 = (_e1261[1][2] - _e1261[0][2]);
+                                                                            let _e1431 = vec3<f32>(_e1428, _e1429, _e1430);
+                                                                            let _e1432 = (_e1261[2][0] - _e1261[1][0]);
+                                                                            let _e1433 = (_e1261[2][1] - _e1261[1][1]);
+                                                                            let _e1434 = (_e1261[2][2] - _e1261[1][2]);
+                                                                            let _e1435 = vec3<f32>(_e1432, _e1433, _e1434);
+                                                                            let _e1436 = (_e1261[0][0] - _e1261[2][0]);
+                                                                            let _e1437 = (_e1261[0][1] - _e1261[2][1]);
+                                                                            let _e1438 = (_e1261[0][2] - _e1261[2][2]);
+                                                                            let _e1439 = vec3<f32>(_e1436, _e1437, _e1438);
+                                                                            let _e1442 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
+                                                                            let _e1445 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
+                                                                            let _e1447 = select(_e1445, _e1442, (_e1442 > _e1445));
+                                                                            let _e1450 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
+                                                                            let _e1452 = select(_e1450, _e1447, (_e1447 > _e1450));
+                                                                            let _e1455 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
+                                                                            let _e1458 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
+                                                                            let _e1460 = select(_e1458, _e1455, (_e1455 > _e1458));
+                                                                            let _e1463 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
+                                                                            let _e1465 = select(_e1463, _e1460, (_e1460 > _e1463));
+                                                                            let _e1468 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
+                                                                            let _e1471 = bitcast<f32>((bitcast<u32>(_e1437) & 2147483647u));
+                                                                            let _e1473 = select(_e1471, _e1468, (_e1468 > _e1471));
+                                                                            let _e1476 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
+                                                                            let _e1478 = select(_e1476, _e1473, (_e1473 > _e1476));
+                                                                            let _e1480 = select(_e1465, _e1452, (_e1452 > _e1465));
+                                                                            let _e1482 = select(_e1478, _e1480, (_e1480 > _e1478));
+                                                                            if (_e1452 == _e1482) {
+                                                                                phi_1977_ = _e1289;
+                                                                                phi_1978_ = _e1286;
+                                                                                phi_1979_ = _e1276;
+                                                                                phi_1980_ = _e1273;
+                                                                                phi_1981_ = _e1425;
+                                                                                phi_1982_ = _e1439;
+                                                                                phi_1983_ = _e1435;
+                                                                                phi_1984_ = _e1431;
                                                                             } else {
-                                                                                let _e1316 = (_e1297 == _e1314);
-                                                                                let _e1321 = vec3(_e1316);
-                                                                                phi_1673_ = select(_e1108, _e1134, _e1316);
-                                                                                phi_1674_ = select(_e1105, _e1131, _e1316);
-                                                                                phi_1675_ = select(_e1134, _e1121, _e1316);
-                                                                                phi_1676_ = select(_e1131, _e1118, _e1316);
-                                                                                phi_1677_ = select(_e1259, _e1258, _e1321);
-                                                                                phi_1678_ = select(_e1267, _e1263, _e1321);
-                                                                                phi_1679_ = select(_e1263, _e1271, _e1321);
-                                                                                phi_1680_ = select(_e1271, _e1267, _e1321);
+                                                                                let _e1484 = (_e1465 == _e1482);
+                                                                                let _e1489 = vec3(_e1484);
+                                                                                phi_1977_ = select(_e1276, _e1302, _e1484);
+                                                                                phi_1978_ = select(_e1273, _e1299, _e1484);
+                                                                                phi_1979_ = select(_e1302, _e1289, _e1484);
+                                                                                phi_1980_ = select(_e1299, _e1286, _e1484);
+                                                                                phi_1981_ = select(_e1427, _e1426, _e1489);
+                                                                                phi_1982_ = select(_e1435, _e1431, _e1489);
+                                                                                phi_1983_ = select(_e1431, _e1439, _e1489);
+                                                                                phi_1984_ = select(_e1439, _e1435, _e1489);
                                                                             }
-                                                                            let _e1327 = phi_1673_;
-                                                                            let _e1329 = phi_1674_;
-                                                                            let _e1331 = phi_1675_;
-                                                                            let _e1333 = phi_1676_;
-                                                                            let _e1335 = phi_1677_;
-                                                                            let _e1337 = phi_1678_;
-                                                                            let _e1339 = phi_1679_;
-                                                                            let _e1341 = phi_1680_;
-                                                                            let _e1348 = ((_e1339.y * _e1337.z) - (_e1337.y * _e1339.z));
-                                                                            let _e1353 = ((_e1339.z * _e1337.x) - (_e1337.z * _e1339.x));
-                                                                            let _e1356 = ((_e1339.x * _e1337.y) - (_e1337.x * _e1339.y));
-                                                                            if (_e1156 >= _e1160) {
-                                                                                phi_1711_ = select(true, false, (_e1156 >= _e1164));
+                                                                            let _e1495 = phi_1977_;
+                                                                            let _e1497 = phi_1978_;
+                                                                            let _e1499 = phi_1979_;
+                                                                            let _e1501 = phi_1980_;
+                                                                            let _e1503 = phi_1981_;
+                                                                            let _e1505 = phi_1982_;
+                                                                            let _e1507 = phi_1983_;
+                                                                            let _e1509 = phi_1984_;
+                                                                            let _e1516 = ((_e1507.y * _e1505.z) - (_e1505.y * _e1507.z));
+                                                                            let _e1521 = ((_e1507.z * _e1505.x) - (_e1505.z * _e1507.x));
+                                                                            let _e1524 = ((_e1507.x * _e1505.y) - (_e1505.x * _e1507.y));
+                                                                            if (_e1324 >= _e1328) {
+                                                                                phi_2015_ = select(true, false, (_e1324 >= _e1332));
                                                                             } else {
-                                                                                phi_1711_ = true;
+                                                                                phi_2015_ = true;
                                                                             }
-                                                                            let _e1361 = phi_1711_;
-                                                                            if _e1361 {
-                                                                                phi_1720_ = select(_e1259, _e1258, vec3((_e1160 >= _e1164)));
+                                                                            let _e1529 = phi_2015_;
+                                                                            if _e1529 {
+                                                                                phi_2024_ = select(_e1427, _e1426, vec3((_e1328 >= _e1332)));
                                                                             } else {
-                                                                                phi_1720_ = _e1257;
+                                                                                phi_2024_ = _e1425;
                                                                             }
-                                                                            let _e1366 = phi_1720_;
-                                                                            let _e1377 = (((_e1348 * (_e1366.x - _e301)) + (_e1353 * (_e1366.y - _e338))) + (_e1356 * (_e1366.z - _e374)));
-                                                                            let _e1382 = (((_e1348 * _e326) + (_e1353 * _e362)) + (_e1356 * _e398));
-                                                                            let _e1383 = (_e1329 - _e1333);
-                                                                            let _e1384 = (_e1327 - _e1331);
-                                                                            let _e1392 = (-(((_e1333 * _e1383) + (_e1331 * _e1384))) / ((_e1383 * _e1383) + (_e1384 * _e1384)));
-                                                                            let _e1394 = select(1f, _e1392, (_e1392 < 1f));
-                                                                            let _e1396 = select(0f, _e1394, (_e1394 > 0f));
-                                                                            let _e1409 = ((_e1335.x + (_e1341.x * _e1396)) - _e301);
-                                                                            let _e1410 = ((_e1335.y + (_e1341.y * _e1396)) - _e338);
-                                                                            let _e1411 = ((_e1335.z + (_e1341.z * _e1396)) - _e374);
-                                                                            let _e1412 = (_e1411 / _e398);
-                                                                            let _e1424 = bitcast<f32>((bitcast<u32>(_e1409) & 2147483647u));
-                                                                            let _e1427 = bitcast<f32>((bitcast<u32>(_e1410) & 2147483647u));
-                                                                            let _e1429 = select(_e1427, _e1424, (_e1424 > _e1427));
-                                                                            let _e1432 = bitcast<f32>((bitcast<u32>(_e1411) & 2147483647u));
-                                                                            let _e1434 = select(_e1432, _e1429, (_e1429 > _e1432));
-                                                                            let _e1440 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
-                                                                            let _e1443 = bitcast<f32>((bitcast<u32>(_e1353) & 2147483647u));
-                                                                            let _e1445 = select(_e1443, _e1440, (_e1440 > _e1443));
-                                                                            let _e1448 = bitcast<f32>((bitcast<u32>(_e1356) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1348 * _e1409) + (_e1353 * _e1410)) + (_e1356 * _e1411)) - _e1377)) & 2147483647u)) <= ((0.0000009536743f * select(_e1314, _e1434, (_e1434 > _e1314))) * select(_e1448, _e1445, (_e1445 > _e1448)))) {
-                                                                                let _e1458 = bitcast<f32>((bitcast<u32>(_e1339.x) & 2147483647u));
-                                                                                let _e1461 = bitcast<f32>((bitcast<u32>(_e1339.y) & 2147483647u));
-                                                                                let _e1463 = select(_e1461, _e1458, (_e1458 > _e1461));
-                                                                                let _e1466 = bitcast<f32>((bitcast<u32>(_e1339.z) & 2147483647u));
-                                                                                let _e1472 = bitcast<f32>((bitcast<u32>(_e1337.x) & 2147483647u));
-                                                                                let _e1475 = bitcast<f32>((bitcast<u32>(_e1337.y) & 2147483647u));
-                                                                                let _e1477 = select(_e1475, _e1472, (_e1472 > _e1475));
-                                                                                let _e1480 = bitcast<f32>((bitcast<u32>(_e1337.z) & 2147483647u));
-                                                                                let _e1484 = (bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u)) > ((0.0000038146973f * select(_e1466, _e1463, (_e1463 > _e1466))) * select(_e1480, _e1477, (_e1477 > _e1480))));
-                                                                                if _e1484 {
-                                                                                    phi_1885_ = (_e1377 / _e1382);
+                                                                            let _e1534 = phi_2024_;
+                                                                            let _e1545 = (((_e1516 * (_e1534.x - _e323)) + (_e1521 * (_e1534.y - _e390))) + (_e1524 * (_e1534.z - _e456)));
+                                                                            let _e1550 = (((_e1516 * _e363) + (_e1521 * _e429)) + (_e1524 * _e495));
+                                                                            let _e1551 = (_e1497 - _e1501);
+                                                                            let _e1552 = (_e1495 - _e1499);
+                                                                            let _e1560 = (-(((_e1501 * _e1551) + (_e1499 * _e1552))) / ((_e1551 * _e1551) + (_e1552 * _e1552)));
+                                                                            let _e1562 = select(1f, _e1560, (_e1560 < 1f));
+                                                                            let _e1564 = select(0f, _e1562, (_e1562 > 0f));
+                                                                            let _e1577 = ((_e1503.x + (_e1509.x * _e1564)) - _e323);
+                                                                            let _e1578 = ((_e1503.y + (_e1509.y * _e1564)) - _e390);
+                                                                            let _e1579 = ((_e1503.z + (_e1509.z * _e1564)) - _e456);
+                                                                            let _e1580 = (_e1579 / _e495);
+                                                                            let _e1592 = bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u));
+                                                                            let _e1595 = bitcast<f32>((bitcast<u32>(_e1578) & 2147483647u));
+                                                                            let _e1597 = select(_e1595, _e1592, (_e1592 > _e1595));
+                                                                            let _e1600 = bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u));
+                                                                            let _e1602 = select(_e1600, _e1597, (_e1597 > _e1600));
+                                                                            let _e1608 = bitcast<f32>((bitcast<u32>(_e1516) & 2147483647u));
+                                                                            let _e1611 = bitcast<f32>((bitcast<u32>(_e1521) & 2147483647u));
+                                                                            let _e1613 = select(_e1611, _e1608, (_e1608 > _e1611));
+                                                                            let _e1616 = bitcast<f32>((bitcast<u32>(_e1524) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1516 * _e1577) + (_e1521 * _e1578)) + (_e1524 * _e1579)) - _e1545)) & 2147483647u)) <= ((0.0000009536743f * select(_e1482, _e1602, (_e1602 > _e1482))) * select(_e1616, _e1613, (_e1613 > _e1616)))) {
+                                                                                let _e1626 = bitcast<f32>((bitcast<u32>(_e1507.x) & 2147483647u));
+                                                                                let _e1629 = bitcast<f32>((bitcast<u32>(_e1507.y) & 2147483647u));
+                                                                                let _e1631 = select(_e1629, _e1626, (_e1626 > _e1629));
+                                                                                let _e1634 = bitcast<f32>((bitcast<u32>(_e1507.z) & 2147483647u));
+                                                                                let _e1640 = bitcast<f32>((bitcast<u32>(_e1505.x) & 2147483647u));
+                                                                                let _e1643 = bitcast<f32>((bitcast<u32>(_e1505.y) & 2147483647u));
+                                                                                let _e1645 = select(_e1643, _e1640, (_e1640 > _e1643));
+                                                                                let _e1648 = bitcast<f32>((bitcast<u32>(_e1505.z) & 2147483647u));
+                                                                                let _e1652 = (bitcast<f32>((bitcast<u32>(_e1550) & 2147483647u)) > ((0.0000038146973f * select(_e1634, _e1631, (_e1631 > _e1634))) * select(_e1648, _e1645, (_e1645 > _e1648))));
+                                                                                if _e1652 {
+                                                                                    phi_2189_ = (_e1545 / _e1550);
                                                                                 } else {
-                                                                                    phi_1885_ = f32();
+                                                                                    phi_2189_ = f32();
                                                                                 }
-                                                                                let _e1487 = phi_1885_;
-                                                                                phi_1887_ = _e1487;
-                                                                                phi_1888_ = select(true, false, _e1484);
+                                                                                let _e1655 = phi_2189_;
+                                                                                phi_2191_ = _e1655;
+                                                                                phi_2192_ = select(true, false, _e1652);
                                                                             } else {
-                                                                                phi_1887_ = f32();
-                                                                                phi_1888_ = true;
+                                                                                phi_2191_ = f32();
+                                                                                phi_2192_ = true;
                                                                             }
-                                                                            let _e1490 = phi_1887_;
-                                                                            let _e1492 = phi_1888_;
-                                                                            if _e1492 {
-                                                                                let _e1500 = (((_e1348 * (_e1409 - (_e326 * _e1412))) + (_e1353 * (_e1410 - (_e362 * _e1412)))) / _e1382);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1500) & 2147483647u)) <= _e1314) {
-                                                                                    phi_1908_ = (_e1412 + _e1500);
+                                                                            let _e1658 = phi_2191_;
+                                                                            let _e1660 = phi_2192_;
+                                                                            if _e1660 {
+                                                                                let _e1668 = (((_e1516 * (_e1577 - (_e363 * _e1580))) + (_e1521 * (_e1578 - (_e429 * _e1580)))) / _e1550);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1668) & 2147483647u)) <= _e1482) {
+                                                                                    phi_2212_ = (_e1580 + _e1668);
                                                                                 } else {
-                                                                                    phi_1908_ = _e1412;
+                                                                                    phi_2212_ = _e1580;
                                                                                 }
-                                                                                let _e1507 = phi_1908_;
-                                                                                phi_1909_ = _e1507;
+                                                                                let _e1675 = phi_2212_;
+                                                                                phi_2213_ = _e1675;
                                                                             } else {
-                                                                                phi_1909_ = _e1490;
+                                                                                phi_2213_ = _e1658;
                                                                             }
-                                                                            let _e1509 = phi_1909_;
-                                                                            let _e1511 = select(_e1247, _e1509, (_e1509 < _e1247));
-                                                                            let _e1513 = select(_e1239, _e1511, (_e1511 > _e1239));
-                                                                            if (_e1513 >= _e447) {
-                                                                                let _e1515 = (_e1513 <= _e991.member.member_1);
-                                                                                if _e1515 {
-                                                                                    let _e1516 = (1f / _e1166);
-                                                                                    phi_1932_ = type_26(_e1513, (_e1160 * _e1516), (_e1164 * _e1516), _e1026);
+                                                                            let _e1677 = phi_2213_;
+                                                                            let _e1679 = select(_e1415, _e1677, (_e1677 < _e1415));
+                                                                            let _e1681 = select(_e1407, _e1679, (_e1679 > _e1407));
+                                                                            if (_e1681 >= _e609) {
+                                                                                let _e1683 = (_e1681 <= _e1159.member.member_1);
+                                                                                if _e1683 {
+                                                                                    let _e1684 = (1f / _e1334);
+                                                                                    phi_2236_ = type_26(_e1681, (_e1328 * _e1684), (_e1332 * _e1684), _e1194);
                                                                                 } else {
-                                                                                    phi_1932_ = type_26();
+                                                                                    phi_2236_ = type_26();
                                                                                 }
-                                                                                let _e1521 = phi_1932_;
-                                                                                phi_1934_ = _e1521;
-                                                                                phi_1935_ = select(true, false, _e1515);
+                                                                                let _e1689 = phi_2236_;
+                                                                                phi_2238_ = _e1689;
+                                                                                phi_2239_ = select(true, false, _e1683);
                                                                             } else {
-                                                                                phi_1934_ = type_26();
-                                                                                phi_1935_ = true;
+                                                                                phi_2238_ = type_26();
+                                                                                phi_2239_ = true;
                                                                             }
-                                                                            let _e1524 = phi_1934_;
-                                                                            let _e1526 = phi_1935_;
-                                                                            if _e1526 {
-                                                                                phi_1939_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e1692 = phi_2238_;
+                                                                            let _e1694 = phi_2239_;
+                                                                            if _e1694 {
+                                                                                phi_2243_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_1939_ = _e1524;
+                                                                                phi_2243_ = _e1692;
                                                                             }
-                                                                            let _e1528 = phi_1939_;
-                                                                            phi_1940_ = _e1528;
+                                                                            let _e1696 = phi_2243_;
+                                                                            phi_2244_ = _e1696;
                                                                         }
-                                                                        let _e1530 = phi_1940_;
-                                                                        phi_1941_ = _e1530;
-                                                                        phi_1942_ = _e1256;
+                                                                        let _e1698 = phi_2244_;
+                                                                        phi_2245_ = _e1698;
+                                                                        phi_2246_ = _e1424;
                                                                     }
-                                                                    let _e1532 = phi_1941_;
-                                                                    let _e1534 = phi_1942_;
-                                                                    phi_1946_ = _e1532;
-                                                                    phi_1947_ = _e1534;
+                                                                    let _e1700 = phi_2245_;
+                                                                    let _e1702 = phi_2246_;
+                                                                    phi_2250_ = _e1700;
+                                                                    phi_2251_ = _e1702;
                                                                 }
-                                                                let _e1536 = phi_1946_;
-                                                                let _e1538 = phi_1947_;
-                                                                phi_1948_ = _e1536;
-                                                                phi_1949_ = _e1191;
-                                                                phi_1950_ = _e1538;
+                                                                let _e1704 = phi_2250_;
+                                                                let _e1706 = phi_2251_;
+                                                                phi_2252_ = _e1704;
+                                                                phi_2253_ = _e1359;
+                                                                phi_2254_ = _e1706;
                                                             }
-                                                            let _e1540 = phi_1948_;
-                                                            let _e1542 = phi_1949_;
-                                                            let _e1544 = phi_1950_;
-                                                            phi_1951_ = _e1540;
-                                                            phi_1952_ = _e1542;
-                                                            phi_1953_ = _e1544;
+                                                            let _e1708 = phi_2252_;
+                                                            let _e1710 = phi_2253_;
+                                                            let _e1712 = phi_2254_;
+                                                            phi_2255_ = _e1708;
+                                                            phi_2256_ = _e1710;
+                                                            phi_2257_ = _e1712;
                                                         }
-                                                        let _e1546 = phi_1951_;
-                                                        let _e1548 = phi_1952_;
-                                                        let _e1550 = phi_1953_;
-                                                        phi_1961_ = _e1546;
-                                                        phi_1962_ = select(_e1550, true, _e1548);
+                                                        let _e1714 = phi_2255_;
+                                                        let _e1716 = phi_2256_;
+                                                        let _e1718 = phi_2257_;
+                                                        phi_2265_ = _e1714;
+                                                        phi_2266_ = select(_e1718, true, _e1716);
                                                     } else {
-                                                        phi_1961_ = type_26();
-                                                        phi_1962_ = true;
+                                                        phi_2265_ = type_26();
+                                                        phi_2266_ = true;
                                                     }
-                                                    let _e1553 = phi_1961_;
-                                                    let _e1555 = phi_1962_;
-                                                    if _e1555 {
-                                                        phi_1966_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1721 = phi_2265_;
+                                                    let _e1723 = phi_2266_;
+                                                    if _e1723 {
+                                                        phi_2270_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1966_ = _e1553;
+                                                        phi_2270_ = _e1721;
                                                     }
-                                                    let _e1557 = phi_1966_;
-                                                    if (_e1557.member_3 != 4294967295u) {
-                                                        if (_e1026 != _e453) {
-                                                            if (_e1557.member < _e991.member.member.member) {
-                                                                phi_1992_ = true;
+                                                    let _e1725 = phi_2270_;
+                                                    if (_e1725.member_3 != 4294967295u) {
+                                                        if (_e1194 != _e615) {
+                                                            if (_e1725.member < _e1159.member.member.member) {
+                                                                phi_2296_ = true;
                                                             } else {
-                                                                if (_e1557.member == _e991.member.member.member) {
-                                                                    phi_1991_ = (_e1557.member_3 < _e991.member.member.member_3);
+                                                                if (_e1725.member == _e1159.member.member.member) {
+                                                                    phi_2295_ = (_e1725.member_3 < _e1159.member.member.member_3);
                                                                 } else {
-                                                                    phi_1991_ = false;
+                                                                    phi_2295_ = false;
                                                                 }
-                                                                let _e1572 = phi_1991_;
-                                                                phi_1992_ = _e1572;
+                                                                let _e1740 = phi_2295_;
+                                                                phi_2296_ = _e1740;
                                                             }
-                                                            let _e1574 = phi_1992_;
-                                                            if _e1574 {
-                                                                phi_1999_ = type_46(type_42(_e1557, _e1557.member), _e1018.member_1, _e1018.member_2);
+                                                            let _e1742 = phi_2296_;
+                                                            if _e1742 {
+                                                                phi_2303_ = type_46(type_42(_e1725, _e1725.member), _e1186.member_1, _e1186.member_2);
                                                             } else {
-                                                                phi_1999_ = _e1018;
+                                                                phi_2303_ = _e1186;
                                                             }
-                                                            let _e1581 = phi_1999_;
-                                                            phi_2000_ = _e1581;
+                                                            let _e1749 = phi_2303_;
+                                                            phi_2304_ = _e1749;
                                                         } else {
-                                                            phi_2000_ = _e1018;
+                                                            phi_2304_ = _e1186;
                                                         }
-                                                        let _e1583 = phi_2000_;
-                                                        phi_2001_ = _e1583;
+                                                        let _e1751 = phi_2304_;
+                                                        phi_2305_ = _e1751;
                                                     } else {
-                                                        phi_2001_ = _e1018;
+                                                        phi_2305_ = _e1186;
                                                     }
-                                                    let _e1585 = phi_2001_;
-                                                    phi_988_ = _e1585;
+                                                    let _e1753 = phi_2305_;
+                                                    phi_1292_ = _e1753;
                                                 } else {
-                                                    phi_988_ = type_46();
+                                                    phi_1292_ = type_46();
                                                 }
-                                                let _e1587 = phi_988_;
+                                                let _e1755 = phi_1292_;
                                                 continue;
                                                 continuing {
-                                                    phi_987_ = _e1587;
-                                                    phi_990_ = _e1006;
-                                                    phi_3586_ = _e494;
-                                                    break if !(_e1012);
+                                                    phi_1291_ = _e1755;
+                                                    phi_1294_ = _e1174;
+                                                    phi_3996_ = _e656;
+                                                    break if !(_e1180);
                                                 }
                                             }
-                                            let _e1590 = phi_3586_;
-                                            phi_3728_ = _e1590;
-                                            if _e1590 {
+                                            let _e1758 = phi_3996_;
+                                            phi_4156_ = _e1758;
+                                            if _e1758 {
                                                 break;
                                             }
-                                            phi_3732_ = _e1590;
-                                            let _e1826 = local_12;
-                                            phi_3209_ = _e1826;
-                                            phi_3210_ = _e536;
-                                            phi_3211_ = false;
-                                            phi_3212_ = _e540;
+                                            phi_4160_ = _e1758;
+                                            let _e2093 = local_12;
+                                            phi_3513_ = _e2093;
+                                            phi_3514_ = _e698;
+                                            phi_3515_ = false;
+                                            phi_3516_ = _e702;
                                         } else {
-                                            if (_e536.member_1 >= _e89) {
-                                                phi_2765_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e698.member_1 >= _e96) {
+                                                phi_3069_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e536.member_1 < _e89) {
+                                                if (_e698.member_1 < _e96) {
                                                 } else {
-                                                    phi_3728_ = true;
+                                                    phi_4156_ = true;
                                                     break;
                                                 }
-                                                let _e558 = ((1u + _e269) % 4u);
-                                                if (_e558 < 4u) {
+                                                let _e720 = ((1u + _e276) % 4u);
+                                                if (_e720 < 4u) {
                                                 } else {
-                                                    phi_3728_ = true;
+                                                    phi_4156_ = true;
                                                     break;
                                                 }
-                                                let _e563 = global_4.member[_e536.member_1][_e558];
-                                                let _e565 = (_e563 >> bitcast<u32>(11u));
-                                                let _e567 = ((1u + _e268) % 4u);
-                                                if (_e567 < 4u) {
+                                                let _e725 = global_4.member[_e698.member_1][_e720];
+                                                let _e727 = (_e725 >> bitcast<u32>(11u));
+                                                let _e729 = ((1u + _e275) % 4u);
+                                                if (_e729 < 4u) {
                                                 } else {
-                                                    phi_3728_ = true;
+                                                    phi_4156_ = true;
                                                     break;
                                                 }
-                                                let _e572 = global_4.member[_e536.member_1][_e567];
-                                                let _e574 = (_e572 >> bitcast<u32>(11u));
-                                                let _e576 = ((1u + _e270) % 4u);
-                                                if (_e576 < 4u) {
+                                                let _e734 = global_4.member[_e698.member_1][_e729];
+                                                let _e736 = (_e734 >> bitcast<u32>(11u));
+                                                let _e738 = ((1u + _e277) % 4u);
+                                                if (_e738 < 4u) {
                                                 } else {
-                                                    phi_3728_ = true;
+                                                    phi_4156_ = true;
                                                     break;
                                                 }
-                                                let _e581 = global_4.member[_e536.member_1][_e576];
-                                                let _e583 = (_e581 >> bitcast<u32>(11u));
-                                                let _e606 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.x - _e536.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e607 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.y - _e536.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e608 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.z - _e536.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e610 = select(_e143, _e606, (_e606 > _e143));
-                                                let _e612 = select(_e143, _e607, (_e607 > _e143));
-                                                let _e614 = select(_e143, _e608, (_e608 > _e143));
-                                                let _e639 = bitcast<u32>((f32(bitcast<i32>((_e563 & 1023u))) * _e610));
-                                                let _e644 = (bitcast<i32>((_e563 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e647 = bitcast<f32>((_e639 & bitcast<u32>(_e644)));
-                                                let _e648 = bitcast<u32>((f32(bitcast<i32>((_e572 & 1023u))) * _e612));
-                                                let _e653 = (bitcast<i32>((_e572 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e656 = bitcast<f32>((_e648 & bitcast<u32>(_e653)));
-                                                let _e657 = bitcast<u32>((f32(bitcast<i32>((_e581 & 1023u))) * _e614));
-                                                let _e662 = (bitcast<i32>((_e581 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e665 = bitcast<f32>((_e657 & bitcast<u32>(_e662)));
-                                                let _e669 = bitcast<f32>((_e639 & bitcast<u32>(~(_e644))));
-                                                let _e673 = bitcast<f32>((_e648 & bitcast<u32>(~(_e653))));
-                                                let _e677 = bitcast<f32>((_e657 & bitcast<u32>(~(_e662))));
-                                                let _e678 = bitcast<u32>((f32(bitcast<i32>((_e565 & 1023u))) * _e610));
-                                                let _e683 = (bitcast<i32>((_e565 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e686 = bitcast<f32>((_e678 & bitcast<u32>(_e683)));
-                                                let _e687 = bitcast<u32>((f32(bitcast<i32>((_e574 & 1023u))) * _e612));
-                                                let _e692 = (bitcast<i32>((_e574 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e695 = bitcast<f32>((_e687 & bitcast<u32>(_e692)));
-                                                let _e696 = bitcast<u32>((f32(bitcast<i32>((_e583 & 1023u))) * _e614));
-                                                let _e701 = (bitcast<i32>((_e583 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e704 = bitcast<f32>((_e696 & bitcast<u32>(_e701)));
-                                                let _e708 = bitcast<f32>((_e678 & bitcast<u32>(~(_e683))));
-                                                let _e712 = bitcast<f32>((_e687 & bitcast<u32>(~(_e692))));
-                                                let _e716 = bitcast<f32>((_e696 & bitcast<u32>(~(_e701))));
-                                                let _e746 = global_4.member[_e536.member_1][0u];
-                                                let _e750 = global_4.member[_e536.member_1][1u];
-                                                let _e754 = global_4.member[_e536.member_1][2u];
-                                                let _e758 = global_4.member[_e536.member_1][3u];
-                                                let _e770 = (((_e750 >> bitcast<u32>(22i)) | ((_e754 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e758 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e771 = (_e746 & 268435455u);
-                                                let _e772 = (_e770 & 268435455u);
-                                                let _e775 = ((_e746 >> bitcast<u32>(28u)) & 7u);
-                                                let _e783 = ((_e746 >> bitcast<u32>(31i)) | (((_e770 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e784 = (_e775 != 0u);
-                                                if (_e775 == 0u) {
-                                                    phi_2727_ = _e771;
+                                                let _e743 = global_4.member[_e698.member_1][_e738];
+                                                let _e745 = (_e743 >> bitcast<u32>(11u));
+                                                let _e768 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.x - _e698.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e769 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.y - _e698.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e770 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.z - _e698.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e772 = select(_e150, _e768, (_e768 > _e150));
+                                                let _e774 = select(_e150, _e769, (_e769 > _e150));
+                                                let _e776 = select(_e150, _e770, (_e770 > _e150));
+                                                let _e807 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 1023u))) - 8388608f) * _e772));
+                                                let _e812 = (bitcast<i32>((_e725 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e815 = bitcast<f32>((_e807 & bitcast<u32>(_e812)));
+                                                let _e816 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e734 & 1023u))) - 8388608f) * _e774));
+                                                let _e821 = (bitcast<i32>((_e734 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e824 = bitcast<f32>((_e816 & bitcast<u32>(_e821)));
+                                                let _e825 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e743 & 1023u))) - 8388608f) * _e776));
+                                                let _e830 = (bitcast<i32>((_e743 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e833 = bitcast<f32>((_e825 & bitcast<u32>(_e830)));
+                                                let _e837 = bitcast<f32>((_e807 & bitcast<u32>(~(_e812))));
+                                                let _e841 = bitcast<f32>((_e816 & bitcast<u32>(~(_e821))));
+                                                let _e845 = bitcast<f32>((_e825 & bitcast<u32>(~(_e830))));
+                                                let _e846 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e727 & 1023u))) - 8388608f) * _e772));
+                                                let _e851 = (bitcast<i32>((_e727 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e854 = bitcast<f32>((_e846 & bitcast<u32>(_e851)));
+                                                let _e855 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e736 & 1023u))) - 8388608f) * _e774));
+                                                let _e860 = (bitcast<i32>((_e736 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e863 = bitcast<f32>((_e855 & bitcast<u32>(_e860)));
+                                                let _e864 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e745 & 1023u))) - 8388608f) * _e776));
+                                                let _e869 = (bitcast<i32>((_e745 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e872 = bitcast<f32>((_e864 & bitcast<u32>(_e869)));
+                                                let _e876 = bitcast<f32>((_e846 & bitcast<u32>(~(_e851))));
+                                                let _e880 = bitcast<f32>((_e855 & bitcast<u32>(~(_e860))));
+                                                let _e884 = bitcast<f32>((_e864 & bitcast<u32>(~(_e869))));
+                                                let _e914 = global_4.member[_e698.member_1][0u];
+                                                let _e918 = global_4.member[_e698.member_1][1u];
+                                                let _e922 = global_4.member[_e698.member_1][2u];
+                                                let _e926 = global_4.member[_e698.member_1][3u];
+                                                let _e938 = (((_e918 >> bitcast<u32>(22i)) | ((_e922 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e926 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e939 = (_e914 & 268435455u);
+                                                let _e940 = (_e938 & 268435455u);
+                                                let _e943 = ((_e914 >> bitcast<u32>(28u)) & 7u);
+                                                let _e951 = ((_e914 >> bitcast<u32>(31i)) | (((_e938 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e952 = (_e943 != 0u);
+                                                if (_e943 == 0u) {
+                                                    phi_3031_ = _e939;
                                                 } else {
-                                                    if (_e775 == 7u) {
-                                                        phi_2726_ = 2147483648u;
+                                                    if (_e943 == 7u) {
+                                                        phi_3030_ = 2147483648u;
                                                     } else {
-                                                        phi_2726_ = ((2147483648u | (_e775 << bitcast<u32>(28u))) | (_e772 & 268435455u));
+                                                        phi_3030_ = ((2147483648u | (_e943 << bitcast<u32>(28u))) | (_e940 & 268435455u));
                                                     }
-                                                    let _e793 = phi_2726_;
-                                                    phi_2727_ = _e793;
+                                                    let _e961 = phi_3030_;
+                                                    phi_3031_ = _e961;
                                                 }
-                                                let _e795 = phi_2727_;
-                                                if _e784 {
-                                                    let _e796 = (_e775 != 7u);
-                                                    if _e796 {
-                                                        phi_2737_ = (_e772 + _e775);
+                                                let _e963 = phi_3031_;
+                                                if _e952 {
+                                                    let _e964 = (_e943 != 7u);
+                                                    if _e964 {
+                                                        phi_3041_ = (_e940 + _e943);
                                                     } else {
-                                                        phi_2737_ = u32();
+                                                        phi_3041_ = u32();
                                                     }
-                                                    let _e799 = phi_2737_;
-                                                    phi_2739_ = _e799;
-                                                    phi_2740_ = select(true, false, _e796);
+                                                    let _e967 = phi_3041_;
+                                                    phi_3043_ = _e967;
+                                                    phi_3044_ = select(true, false, _e964);
                                                 } else {
-                                                    phi_2739_ = u32();
-                                                    phi_2740_ = true;
+                                                    phi_3043_ = u32();
+                                                    phi_3044_ = true;
                                                 }
-                                                let _e802 = phi_2739_;
-                                                let _e804 = phi_2740_;
-                                                if (_e783 == 0u) {
-                                                    phi_2761_ = (_e771 + select(0u, 1u, !(_e784)));
+                                                let _e970 = phi_3043_;
+                                                let _e972 = phi_3044_;
+                                                if (_e951 == 0u) {
+                                                    phi_3065_ = (_e939 + select(0u, 1u, !(_e952)));
                                                 } else {
-                                                    if (_e783 == 7u) {
-                                                        phi_2760_ = 2147483648u;
+                                                    if (_e951 == 7u) {
+                                                        phi_3064_ = 2147483648u;
                                                     } else {
-                                                        phi_2760_ = ((2147483648u | (_e783 << bitcast<u32>(28u))) | (select(_e802, _e772, _e804) & 268435455u));
+                                                        phi_3064_ = ((2147483648u | (_e951 << bitcast<u32>(28u))) | (select(_e970, _e940, _e972) & 268435455u));
                                                     }
-                                                    let _e817 = phi_2760_;
-                                                    phi_2761_ = _e817;
+                                                    let _e985 = phi_3064_;
+                                                    phi_3065_ = _e985;
                                                 }
-                                                let _e819 = phi_2761_;
-                                                phi_2765_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e536.member.member.x + _e647), (_e536.member.member.x + _e669), (_e536.member.member_1.x - _e686), (_e536.member.member_1.x - _e708)), vec4<f32>((_e536.member.member.y + _e656), (_e536.member.member.y + _e673), (_e536.member.member_1.y - _e695), (_e536.member.member_1.y - _e712)), vec4<f32>((_e536.member.member.z + _e665), (_e536.member.member.z + _e677), (_e536.member.member_1.z - _e704), (_e536.member.member_1.z - _e716))), type_53(type_38((_e536.member.member + vec4<f32>(_e647, _e656, _e665, 0f)), (_e536.member.member_1 - vec4<f32>(_e686, _e695, _e704, 0f))), _e795), type_53(type_38((_e536.member.member + vec4<f32>(_e669, _e673, _e677, 0f)), (_e536.member.member_1 - vec4<f32>(_e708, _e712, _e716, 0f))), _e819));
+                                                let _e987 = phi_3065_;
+                                                phi_3069_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e698.member.member.x + _e815), (_e698.member.member.x + _e837), (_e698.member.member_1.x - _e854), (_e698.member.member_1.x - _e876)), vec4<f32>((_e698.member.member.y + _e824), (_e698.member.member.y + _e841), (_e698.member.member_1.y - _e863), (_e698.member.member_1.y - _e880)), vec4<f32>((_e698.member.member.z + _e833), (_e698.member.member.z + _e845), (_e698.member.member_1.z - _e872), (_e698.member.member_1.z - _e884))), type_53(type_38((_e698.member.member + vec4<f32>(_e815, _e824, _e833, 0f)), (_e698.member.member_1 - vec4<f32>(_e854, _e863, _e872, 0f))), _e963), type_53(type_38((_e698.member.member + vec4<f32>(_e837, _e841, _e845, 0f)), (_e698.member.member_1 - vec4<f32>(_e876, _e880, _e884, 0f))), _e987));
                                             }
-                                            let _e824 = phi_2765_;
-                                            let _e837 = ((_e824.member[0].x - _e324) * _e329);
-                                            let _e838 = ((_e824.member[0].y - _e324) * _e329);
-                                            let _e839 = ((_e824.member[0].z - _e325) * _e329);
-                                            let _e840 = ((_e824.member[0].w - _e325) * _e329);
-                                            let _e850 = ((_e824.member[1].x - _e360) * _e365);
-                                            let _e851 = ((_e824.member[1].y - _e360) * _e365);
-                                            let _e852 = ((_e824.member[1].z - _e361) * _e365);
-                                            let _e853 = ((_e824.member[1].w - _e361) * _e365);
-                                            let _e863 = ((_e824.member[2].x - _e396) * _e401);
-                                            let _e864 = ((_e824.member[2].y - _e396) * _e401);
-                                            let _e865 = ((_e824.member[2].z - _e397) * _e401);
-                                            let _e866 = ((_e824.member[2].w - _e397) * _e401);
-                                            let _e868 = select(_e865, _e863, (_e863 < _e865));
-                                            let _e870 = select(_e866, _e864, (_e864 < _e866));
-                                            let _e872 = select(_e865, _e863, (_e863 > _e865));
-                                            let _e874 = select(_e866, _e864, (_e864 > _e866));
-                                            let _e876 = select(_e839, _e837, (_e837 < _e839));
-                                            let _e878 = select(_e840, _e838, (_e838 < _e840));
-                                            let _e880 = select(_e852, _e850, (_e850 < _e852));
-                                            let _e882 = select(_e853, _e851, (_e851 < _e853));
-                                            let _e884 = select(_e880, _e876, (_e876 > _e880));
-                                            let _e886 = select(_e882, _e878, (_e878 > _e882));
-                                            let _e888 = select(_e868, _e884, (_e884 > _e868));
-                                            let _e890 = select(_e870, _e886, (_e886 > _e870));
-                                            let _e892 = select(_e839, _e837, (_e837 > _e839));
-                                            let _e894 = select(_e840, _e838, (_e838 > _e840));
-                                            let _e896 = select(_e852, _e850, (_e850 > _e852));
-                                            let _e898 = select(_e853, _e851, (_e851 > _e853));
-                                            let _e900 = select(_e896, _e892, (_e892 < _e896));
-                                            let _e902 = select(_e898, _e894, (_e894 < _e898));
-                                            let _e907 = -(_e868);
-                                            let _e908 = -(_e870);
-                                            let _e915 = (select(_e872, _e900, (_e900 < _e872)) + (select(_e907, _e872, (_e872 > _e907)) * 0.0000019073523f));
-                                            let _e916 = (select(_e874, _e902, (_e902 < _e874)) + (select(_e908, _e874, (_e874 > _e908)) * 0.0000019073523f));
-                                            let _e918 = select(_e447, _e888, (_e888 > _e447));
-                                            let _e920 = select(_e447, _e890, (_e890 > _e447));
-                                            let _e925 = (_e918 <= select(_e496.member.member_1, _e915, (_e915 < _e496.member.member_1)));
-                                            let _e926 = (_e920 <= select(_e496.member.member_1, _e916, (_e916 < _e496.member.member_1)));
-                                            let _e927 = (_e918 <= _e920);
-                                            if _e925 {
-                                                if _e926 {
-                                                    if _e927 {
-                                                        phi_3109_ = _e824.member_2;
+                                            let _e992 = phi_3069_;
+                                            let _e1005 = ((_e992.member[0].x - _e361) * _e366);
+                                            let _e1006 = ((_e992.member[0].y - _e361) * _e366);
+                                            let _e1007 = ((_e992.member[0].z - _e362) * _e366);
+                                            let _e1008 = ((_e992.member[0].w - _e362) * _e366);
+                                            let _e1018 = ((_e992.member[1].x - _e427) * _e432);
+                                            let _e1019 = ((_e992.member[1].y - _e427) * _e432);
+                                            let _e1020 = ((_e992.member[1].z - _e428) * _e432);
+                                            let _e1021 = ((_e992.member[1].w - _e428) * _e432);
+                                            let _e1031 = ((_e992.member[2].x - _e493) * _e498);
+                                            let _e1032 = ((_e992.member[2].y - _e493) * _e498);
+                                            let _e1033 = ((_e992.member[2].z - _e494) * _e498);
+                                            let _e1034 = ((_e992.member[2].w - _e494) * _e498);
+                                            let _e1036 = select(_e1033, _e1031, (_e1031 < _e1033));
+                                            let _e1038 = select(_e1034, _e1032, (_e1032 < _e1034));
+                                            let _e1040 = select(_e1033, _e1031, (_e1031 > _e1033));
+                                            let _e1042 = select(_e1034, _e1032, (_e1032 > _e1034));
+                                            let _e1044 = select(_e1007, _e1005, (_e1005 < _e1007));
+                                            let _e1046 = select(_e1008, _e1006, (_e1006 < _e1008));
+                                            let _e1048 = select(_e1020, _e1018, (_e1018 < _e1020));
+                                            let _e1050 = select(_e1021, _e1019, (_e1019 < _e1021));
+                                            let _e1052 = select(_e1048, _e1044, (_e1044 > _e1048));
+                                            let _e1054 = select(_e1050, _e1046, (_e1046 > _e1050));
+                                            let _e1056 = select(_e1036, _e1052, (_e1052 > _e1036));
+                                            let _e1058 = select(_e1038, _e1054, (_e1054 > _e1038));
+                                            let _e1060 = select(_e1007, _e1005, (_e1005 > _e1007));
+                                            let _e1062 = select(_e1008, _e1006, (_e1006 > _e1008));
+                                            let _e1064 = select(_e1020, _e1018, (_e1018 > _e1020));
+                                            let _e1066 = select(_e1021, _e1019, (_e1019 > _e1021));
+                                            let _e1068 = select(_e1064, _e1060, (_e1060 < _e1064));
+                                            let _e1070 = select(_e1066, _e1062, (_e1062 < _e1066));
+                                            let _e1075 = -(_e1036);
+                                            let _e1076 = -(_e1038);
+                                            let _e1083 = (select(_e1040, _e1068, (_e1068 < _e1040)) + (select(_e1075, _e1040, (_e1040 > _e1075)) * 0.0000019073523f));
+                                            let _e1084 = (select(_e1042, _e1070, (_e1070 < _e1042)) + (select(_e1076, _e1042, (_e1042 > _e1076)) * 0.0000019073523f));
+                                            let _e1086 = select(_e609, _e1056, (_e1056 > _e609));
+                                            let _e1088 = select(_e609, _e1058, (_e1058 > _e609));
+                                            let _e1093 = (_e1086 <= select(_e658.member.member_1, _e1083, (_e1083 < _e658.member.member_1)));
+                                            let _e1094 = (_e1088 <= select(_e658.member.member_1, _e1084, (_e1084 < _e658.member.member_1)));
+                                            let _e1095 = (_e1086 <= _e1088);
+                                            if _e1093 {
+                                                if _e1094 {
+                                                    if _e1095 {
+                                                        phi_3413_ = _e992.member_2;
                                                     } else {
-                                                        phi_3109_ = _e824.member_1;
+                                                        phi_3413_ = _e992.member_1;
                                                     }
-                                                    let _e931 = phi_3109_;
-                                                    let _e953 = (_e540 % 128u);
-                                                    let _e954 = (_e953 < 128u);
-                                                    if _e954 {
+                                                    let _e1099 = phi_3413_;
+                                                    let _e1121 = (_e702 % 128u);
+                                                    let _e1122 = (_e1121 < 128u);
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_3728_ = true;
+                                                        phi_4156_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e953] = _e931.member_1;
-                                                    if _e954 {
+                                                    local_8[_e1121] = _e1099.member_1;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_3728_ = true;
+                                                        phi_4156_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e953] = _e931.member.member.x;
-                                                    if _e954 {
+                                                    local_7[_e1121] = _e1099.member.member.x;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_3728_ = true;
+                                                        phi_4156_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e953] = _e931.member.member.y;
-                                                    if _e954 {
+                                                    local_6[_e1121] = _e1099.member.member.y;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_3728_ = true;
+                                                        phi_4156_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e953] = _e931.member.member.z;
-                                                    if _e954 {
+                                                    local_5[_e1121] = _e1099.member.member.z;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_3728_ = true;
+                                                        phi_4156_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e953] = _e931.member.member_1.x;
-                                                    if _e954 {
+                                                    local_4[_e1121] = _e1099.member.member_1.x;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_3728_ = true;
+                                                        phi_4156_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e953] = _e931.member.member_1.y;
-                                                    if _e954 {
+                                                    local_3[_e1121] = _e1099.member.member_1.y;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_3728_ = true;
+                                                        phi_4156_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e953] = _e931.member.member_1.z;
-                                                    if _e954 {
+                                                    local_2[_e1121] = _e1099.member.member_1.z;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_3728_ = true;
+                                                        phi_4156_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e953] = select(_e920, _e918, (_e918 > _e920));
-                                                    if _e927 {
-                                                        phi_3186_ = _e824.member_1;
+                                                    local_9[_e1121] = select(_e1088, _e1086, (_e1086 > _e1088));
+                                                    if _e1095 {
+                                                        phi_3490_ = _e992.member_1;
                                                     } else {
-                                                        phi_3186_ = _e824.member_2;
+                                                        phi_3490_ = _e992.member_2;
                                                     }
-                                                    let _e967 = phi_3186_;
-                                                    phi_3187_ = _e967;
-                                                    phi_3188_ = (_e540 + 1u);
+                                                    let _e1135 = phi_3490_;
+                                                    phi_3491_ = _e1135;
+                                                    phi_3492_ = (_e702 + 1u);
                                                 } else {
-                                                    phi_3187_ = type_53();
-                                                    phi_3188_ = u32();
+                                                    phi_3491_ = type_53();
+                                                    phi_3492_ = u32();
                                                 }
-                                                let _e969 = phi_3187_;
-                                                let _e971 = phi_3188_;
-                                                phi_3190_ = _e969;
-                                                phi_3191_ = _e971;
-                                                phi_3192_ = select(true, false, _e926);
+                                                let _e1137 = phi_3491_;
+                                                let _e1139 = phi_3492_;
+                                                phi_3494_ = _e1137;
+                                                phi_3495_ = _e1139;
+                                                phi_3496_ = select(true, false, _e1094);
                                             } else {
-                                                phi_3190_ = type_53();
-                                                phi_3191_ = u32();
-                                                phi_3192_ = true;
+                                                phi_3494_ = type_53();
+                                                phi_3495_ = u32();
+                                                phi_3496_ = true;
                                             }
-                                            let _e974 = phi_3190_;
-                                            let _e976 = phi_3191_;
-                                            let _e978 = phi_3192_;
-                                            if _e978 {
-                                                if _e925 {
-                                                    phi_3201_ = _e824.member_1;
+                                            let _e1142 = phi_3494_;
+                                            let _e1144 = phi_3495_;
+                                            let _e1146 = phi_3496_;
+                                            if _e1146 {
+                                                if _e1093 {
+                                                    phi_3505_ = _e992.member_1;
                                                 } else {
-                                                    phi_3201_ = _e824.member_2;
+                                                    phi_3505_ = _e992.member_2;
                                                 }
-                                                let _e982 = phi_3201_;
-                                                phi_3206_ = _e982;
-                                                phi_3207_ = select(_e926, true, _e925);
+                                                let _e1150 = phi_3505_;
+                                                phi_3510_ = _e1150;
+                                                phi_3511_ = select(_e1094, true, _e1093);
                                             } else {
-                                                phi_3206_ = _e974;
-                                                phi_3207_ = _e538;
+                                                phi_3510_ = _e1142;
+                                                phi_3511_ = _e700;
                                             }
-                                            let _e985 = phi_3206_;
-                                            let _e987 = phi_3207_;
-                                            phi_3732_ = _e494;
-                                            phi_3209_ = type_46(_e496.member, (_e496.member_1 + 1u), _e496.member_2);
-                                            phi_3210_ = _e985;
-                                            phi_3211_ = _e987;
-                                            phi_3212_ = select(_e976, _e540, _e978);
+                                            let _e1153 = phi_3510_;
+                                            let _e1155 = phi_3511_;
+                                            phi_4160_ = _e656;
+                                            phi_3513_ = type_46(_e658.member, (_e658.member_1 + 1u), _e658.member_2);
+                                            phi_3514_ = _e1153;
+                                            phi_3515_ = _e1155;
+                                            phi_3516_ = select(_e1144, _e702, _e1146);
                                         }
-                                        let _e1592 = phi_3732_;
-                                        let _e1594 = phi_3209_;
-                                        let _e1596 = phi_3210_;
-                                        let _e1598 = phi_3211_;
-                                        let _e1600 = phi_3212_;
-                                        phi_3731_ = _e1592;
-                                        phi_3213_ = _e1594;
-                                        phi_3214_ = _e1596;
-                                        phi_3215_ = (_e500 - 1u);
-                                        phi_3216_ = _e1598;
-                                        phi_3217_ = _e1600;
+                                        let _e1760 = phi_4160_;
+                                        let _e1762 = phi_3513_;
+                                        let _e1764 = phi_3514_;
+                                        let _e1766 = phi_3515_;
+                                        let _e1768 = phi_3516_;
+                                        phi_4159_ = _e1760;
+                                        phi_3517_ = _e1762;
+                                        phi_3518_ = _e1764;
+                                        phi_3519_ = (_e662 - 1u);
+                                        phi_3520_ = _e1766;
+                                        phi_3521_ = _e1768;
                                     } else {
-                                        phi_3731_ = _e494;
-                                        phi_3213_ = _e496;
-                                        phi_3214_ = _e536;
-                                        phi_3215_ = _e500;
-                                        phi_3216_ = _e538;
-                                        phi_3217_ = _e540;
+                                        phi_4159_ = _e656;
+                                        phi_3517_ = _e658;
+                                        phi_3518_ = _e698;
+                                        phi_3519_ = _e662;
+                                        phi_3520_ = _e700;
+                                        phi_3521_ = _e702;
                                     }
-                                    let _e1602 = phi_3731_;
-                                    let _e1604 = phi_3213_;
-                                    let _e1606 = phi_3214_;
-                                    let _e1608 = phi_3215_;
-                                    let _e1610 = phi_3216_;
-                                    let _e1612 = phi_3217_;
-                                    phi_3730_ = _e1602;
-                                    phi_3218_ = _e1604;
-                                    phi_3219_ = _e1606;
-                                    phi_3220_ = _e1608;
-                                    phi_3221_ = _e1610;
-                                    phi_3222_ = _e1612;
+                                    let _e1770 = phi_4159_;
+                                    let _e1772 = phi_3517_;
+                                    let _e1774 = phi_3518_;
+                                    let _e1776 = phi_3519_;
+                                    let _e1778 = phi_3520_;
+                                    let _e1780 = phi_3521_;
+                                    phi_4158_ = _e1770;
+                                    phi_3522_ = _e1772;
+                                    phi_3523_ = _e1774;
+                                    phi_3524_ = _e1776;
+                                    phi_3525_ = _e1778;
+                                    phi_3526_ = _e1780;
                                 } else {
-                                    phi_3730_ = _e494;
-                                    phi_3218_ = type_46();
-                                    phi_3219_ = type_53();
-                                    phi_3220_ = u32();
-                                    phi_3221_ = bool();
-                                    phi_3222_ = u32();
+                                    phi_4158_ = _e656;
+                                    phi_3522_ = type_46();
+                                    phi_3523_ = type_53();
+                                    phi_3524_ = u32();
+                                    phi_3525_ = bool();
+                                    phi_3526_ = u32();
                                 }
-                                let _e1614 = phi_3730_;
-                                let _e1616 = phi_3218_;
-                                let _e1618 = phi_3219_;
-                                let _e1620 = phi_3220_;
-                                let _e1622 = phi_3221_;
-                                let _e1624 = phi_3222_;
-                                phi_3729_ = _e1614;
-                                phi_862_ = _e1616;
-                                phi_865_ = _e1618;
-                                phi_867_ = _e1620;
-                                phi_869_ = _e1622;
-                                phi_871_ = _e1624;
-                                phi_3223_ = _e508;
+                                let _e1782 = phi_4158_;
+                                let _e1784 = phi_3522_;
+                                let _e1786 = phi_3523_;
+                                let _e1788 = phi_3524_;
+                                let _e1790 = phi_3525_;
+                                let _e1792 = phi_3526_;
+                                phi_4157_ = _e1782;
+                                phi_1166_ = _e1784;
+                                phi_1169_ = _e1786;
+                                phi_1171_ = _e1788;
+                                phi_1173_ = _e1790;
+                                phi_1175_ = _e1792;
+                                phi_3527_ = _e670;
                             } else {
-                                phi_3729_ = _e494;
-                                phi_862_ = type_46();
-                                phi_865_ = type_53();
-                                phi_867_ = u32();
-                                phi_869_ = bool();
-                                phi_871_ = u32();
-                                phi_3223_ = false;
+                                phi_4157_ = _e656;
+                                phi_1166_ = type_46();
+                                phi_1169_ = type_53();
+                                phi_1171_ = u32();
+                                phi_1173_ = bool();
+                                phi_1175_ = u32();
+                                phi_3527_ = false;
                             }
-                            let _e1626 = phi_3729_;
-                            let _e1628 = phi_862_;
-                            let _e1630 = phi_865_;
-                            let _e1632 = phi_867_;
-                            let _e1634 = phi_869_;
-                            let _e1636 = phi_871_;
-                            let _e1638 = phi_3223_;
+                            let _e1794 = phi_4157_;
+                            let _e1796 = phi_1166_;
+                            let _e1798 = phi_1169_;
+                            let _e1800 = phi_1171_;
+                            let _e1802 = phi_1173_;
+                            let _e1804 = phi_1175_;
+                            let _e1806 = phi_3527_;
                             continue;
                             continuing {
-                                phi_3592_ = _e1626;
-                                phi_861_ = _e1628;
-                                phi_864_ = _e1630;
-                                phi_866_ = _e1632;
-                                phi_868_ = _e1634;
-                                phi_870_ = _e1636;
-                                phi_3728_ = _e1626;
-                                break if !(_e1638);
+                                phi_4002_ = _e1794;
+                                phi_1165_ = _e1796;
+                                phi_1168_ = _e1798;
+                                phi_1170_ = _e1800;
+                                phi_1172_ = _e1802;
+                                phi_1174_ = _e1804;
+                                phi_4156_ = _e1794;
+                                break if !(_e1806);
                             }
                         }
-                        let _e1641 = phi_3728_;
-                        if _e1641 {
+                        let _e1809 = phi_4156_;
+                        if _e1809 {
                             break;
                         }
-                        let _e1643 = local_10;
-                        if (_e1643.member.member.member_3 != 4294967295u) {
-                            let _e1649 = (_e271 / 3i);
-                            let _e1656 = bitcast<f32>((bitcast<u32>((_e1649 + 127i)) << bitcast<u32>(23i)));
-                            let _e1664 = (((_e1643.member.member.member * _e1656) * _e1656) * bitcast<f32>((bitcast<u32>(((_e271 - (2i * _e1649)) + 127i)) << bitcast<u32>(23i))));
-                            let _e1666 = select(340282350000000000000000000000000000000f, _e1664, (_e1664 < 340282350000000000000000000000000000000f));
-                            phi_3275_ = type_26(select(-340282350000000000000000000000000000000f, _e1666, (_e1666 > -340282350000000000000000000000000000000f)), _e1643.member.member.member_1, _e1643.member.member.member_2, _e1643.member.member.member_3);
+                        let _e1811 = local_10;
+                        if (_e1811.member.member.member_3 != 4294967295u) {
+                            let _e1817 = bitcast<u32>(_e1811.member.member.member);
+                            let _e1821 = (bitcast<i32>((_e1817 >> bitcast<u32>(23i))) & 255i);
+                            let _e1822 = (_e1821 + _e278);
+                            if (_e1821 == 255i) {
+                                phi_3586_ = _e1811.member.member.member;
+                            } else {
+                                if (_e1821 > 0i) {
+                                    if (_e1822 > 0i) {
+                                        let _e1826 = (_e1822 < 255i);
+                                        if _e1826 {
+                                            phi_3565_ = bitcast<f32>((_e1817 + bitcast<u32>((_e278 << bitcast<u32>(23i)))));
+                                        } else {
+                                            phi_3565_ = f32();
+                                        }
+                                        let _e1833 = phi_3565_;
+                                        phi_3567_ = _e1833;
+                                        phi_3568_ = select(true, false, _e1826);
+                                    } else {
+                                        phi_3567_ = f32();
+                                        phi_3568_ = true;
+                                    }
+                                    let _e1836 = phi_3567_;
+                                    let _e1838 = phi_3568_;
+                                    phi_3569_ = _e1836;
+                                    phi_3570_ = _e1838;
+                                } else {
+                                    phi_3569_ = f32();
+                                    phi_3570_ = true;
+                                }
+                                let _e1840 = phi_3569_;
+                                let _e1842 = phi_3570_;
+                                if _e1842 {
+                                    let _e1843 = (_e1817 & 2147483648u);
+                                    let _e1850 = ((_e1817 & 8388607u) | (select(0u, 1u, ((_e1817 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1854 = (_e1850 == 0u);
+                                    if _e1854 {
+                                        phi_3954_ = bitcast<f32>(_e1843);
+                                    } else {
+                                        let _e1859 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1850)), 32u, _e1854) - 8u);
+                                        let _e1862 = (_e1850 << bitcast<u32>((_e1859 & 31u)));
+                                        let _e1864 = ((_e1822 + select(0i, 1i, (_e1821 == 0i))) - bitcast<i32>(_e1859));
+                                        if (_e1864 >= 255i) {
+                                            phi_3944_ = bitcast<f32>((_e1843 | 2139095040u));
+                                            phi_3945_ = f32();
+                                            phi_3946_ = true;
+                                        } else {
+                                            let _e1866 = (_e1864 > 0i);
+                                            if _e1866 {
+                                                phi_3938_ = bitcast<f32>(((_e1843 | (bitcast<u32>(_e1864) << bitcast<u32>(23i))) | (_e1862 & 8388607u)));
+                                                phi_3939_ = f32();
+                                            } else {
+                                                if (_e1864 < -24i) {
+                                                    phi_3904_ = 26u;
+                                                } else {
+                                                    phi_3904_ = bitcast<u32>((1i - _e1864));
+                                                }
+                                                let _e1871 = phi_3904_;
+                                                let _e1872 = (_e1871 & 31u);
+                                                let _e1874 = (_e1862 >> bitcast<u32>(_e1872));
+                                                let _e1878 = (_e1862 & ((1u << bitcast<u32>(_e1872)) - 1u));
+                                                let _e1882 = (1u << bitcast<u32>(((_e1871 - 1u) & 31u)));
+                                                if (_e1878 > _e1882) {
+                                                    phi_3925_ = true;
+                                                } else {
+                                                    if (_e1878 == _e1882) {
+                                                        phi_3922_ = ((_e1874 & 1u) == 1u);
+                                                    } else {
+                                                        phi_3922_ = false;
+                                                    }
+                                                    let _e1888 = phi_3922_;
+                                                    phi_3925_ = _e1888;
+                                                }
+                                                let _e1890 = phi_3925_;
+                                                phi_3938_ = f32();
+                                                phi_3939_ = bitcast<f32>((_e1843 | (_e1874 + select(0u, 1u, _e1890))));
+                                            }
+                                            let _e1903 = phi_3938_;
+                                            let _e1905 = phi_3939_;
+                                            phi_3944_ = _e1903;
+                                            phi_3945_ = _e1905;
+                                            phi_3946_ = _e1866;
+                                        }
+                                        let _e1909 = phi_3944_;
+                                        let _e1911 = phi_3945_;
+                                        let _e1913 = phi_3946_;
+                                        phi_3954_ = select(_e1911, _e1909, _e1913);
+                                    }
+                                    let _e1917 = phi_3954_;
+                                    phi_3585_ = _e1917;
+                                } else {
+                                    phi_3585_ = _e1840;
+                                }
+                                let _e1919 = phi_3585_;
+                                phi_3586_ = _e1919;
+                            }
+                            let _e1921 = phi_3586_;
+                            let _e1922 = bitcast<u32>(_e1921);
+                            if ((_e1922 & 2147483647u) >= 2139095040u) {
+                                phi_3598_ = bitcast<f32>(((_e1922 & 2147483648u) | 2139095039u));
+                            } else {
+                                phi_3598_ = _e1921;
+                            }
+                            let _e1929 = phi_3598_;
+                            phi_3603_ = type_26(_e1929, _e1811.member.member.member_1, _e1811.member.member.member_2, _e1811.member.member.member_3);
                         } else {
-                            phi_3275_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3603_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1673 = phi_3275_;
-                        if _e147 {
+                        let _e1934 = phi_3603_;
+                        if _e154 {
                         } else {
                             break;
                         }
-                        global_2.member[_e131] = _e1673;
-                        let _e1677 = local_11;
-                        if _e148 {
+                        global_2.member[_e138] = _e1934;
+                        let _e1938 = local_11;
+                        if _e155 {
                         } else {
                             break;
                         }
-                        global_6.member[_e131] = _e1677.member_1;
-                        if _e146 {
+                        global_6.member[_e138] = _e1938.member_1;
+                        if _e153 {
                         } else {
                             break;
                         }
-                        let _e1682 = select(0u, 1u, (_e215 <= _e225));
-                        if (_e1682 > 0u) {
-                            let _e1684 = (1u < _e99);
-                            if _e1684 {
-                                if (0u < _e99) {
+                        let _e1943 = select(0u, 1u, (_e222 <= _e232));
+                        if (_e1943 > 0u) {
+                            let _e1945 = (1u < _e106);
+                            if _e1945 {
+                                if (0u < _e106) {
                                 } else {
                                     break;
                                 }
-                                let _e1688 = atomicAdd((&global_7.member[0u]), _e1682);
-                                if ((_e1688 + _e1682) < _e1688) {
-                                    if _e1684 {
+                                let _e1949 = atomicAdd((&global_7.member[0u]), _e1943);
+                                if ((_e1949 + _e1943) < _e1949) {
+                                    if _e1945 {
                                     } else {
                                         break;
                                     }
-                                    let _e1693 = atomicAdd((&global_7.member[1u]), 1u);
+                                    let _e1954 = atomicAdd((&global_7.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1696 = select(0u, 1u, (_e1673.member_3 != 4294967295u));
-                        if (_e1696 > 0u) {
-                            let _e1698 = (3u < _e99);
-                            if _e1698 {
-                                if (2u < _e99) {
+                        let _e1957 = select(0u, 1u, (_e1934.member_3 != 4294967295u));
+                        if (_e1957 > 0u) {
+                            let _e1959 = (3u < _e106);
+                            if _e1959 {
+                                if (2u < _e106) {
                                 } else {
                                     break;
                                 }
-                                let _e1702 = atomicAdd((&global_7.member[2u]), _e1696);
-                                if ((_e1702 + _e1696) < _e1702) {
-                                    if _e1698 {
+                                let _e1963 = atomicAdd((&global_7.member[2u]), _e1957);
+                                if ((_e1963 + _e1957) < _e1963) {
+                                    if _e1959 {
                                     } else {
                                         break;
                                     }
-                                    let _e1707 = atomicAdd((&global_7.member[3u]), 1u);
+                                    let _e1968 = atomicAdd((&global_7.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1677.member_1 > 0u) {
-                            let _e1709 = (5u < _e99);
-                            if _e1709 {
-                                if (4u < _e99) {
+                        if (_e1938.member_1 > 0u) {
+                            let _e1970 = (5u < _e106);
+                            if _e1970 {
+                                if (4u < _e106) {
                                 } else {
                                     break;
                                 }
-                                let _e1713 = atomicAdd((&global_7.member[4u]), _e1677.member_1);
-                                if ((_e1713 + _e1677.member_1) < _e1713) {
-                                    if _e1709 {
+                                let _e1974 = atomicAdd((&global_7.member[4u]), _e1938.member_1);
+                                if ((_e1974 + _e1938.member_1) < _e1974) {
+                                    if _e1970 {
                                     } else {
                                         break;
                                     }
-                                    let _e1718 = atomicAdd((&global_7.member[5u]), 1u);
+                                    let _e1979 = atomicAdd((&global_7.member[5u]), 1u);
                                 }
                             }
                         }

@@ -103,432 +103,512 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_403_: i32;
-    var phi_404_: i32;
-    var phi_414_: bool;
-    var phi_424_: u32;
-    var phi_425_: u32;
-    var phi_427_: bool;
-    var phi_432_: u32;
-    var phi_464_: i32;
-    var phi_482_: f32;
-    var phi_488_: f32;
-    var phi_499_: f32;
-    var phi_505_: f32;
-    var phi_528_: f32;
-    var phi_539_: f32;
-    var phi_548_: f32;
-    var phi_554_: f32;
+    var phi_486_: i32;
+    var phi_487_: i32;
+    var phi_497_: bool;
+    var phi_507_: u32;
+    var phi_508_: u32;
+    var phi_510_: bool;
+    var phi_515_: u32;
+    var phi_547_: i32;
     var phi_565_: f32;
     var phi_571_: f32;
-    var phi_594_: f32;
-    var phi_605_: f32;
-    var phi_614_: f32;
-    var phi_620_: f32;
-    var phi_631_: f32;
-    var phi_637_: f32;
-    var phi_660_: f32;
-    var phi_671_: f32;
-    var phi_771_: f32;
-    var phi_772_: f32;
-    var phi_4220_: bool;
-    var phi_870_: type_42;
-    var phi_873_: type_49;
-    var phi_875_: u32;
-    var phi_877_: bool;
-    var phi_879_: u32;
-    var phi_890_: bool;
-    var phi_976_: type_49;
-    var phi_977_: bool;
-    var phi_978_: u32;
-    var phi_3094_: u32;
-    var phi_3100_: u32;
-    var phi_3354_: u32;
-    var phi_3355_: u32;
-    var phi_3365_: u32;
-    var phi_3367_: u32;
-    var phi_3368_: bool;
-    var phi_3388_: u32;
-    var phi_3389_: u32;
-    var phi_3393_: type_50;
-    var phi_3737_: type_49;
-    var phi_3814_: type_49;
-    var phi_3815_: type_49;
-    var phi_3816_: u32;
-    var phi_3818_: type_49;
-    var phi_3819_: u32;
-    var phi_3820_: bool;
-    var phi_3829_: type_49;
-    var phi_3834_: type_49;
-    var phi_3835_: bool;
-    var phi_997_: type_42;
-    var phi_1000_: type_8;
-    var phi_1001_: type_8;
-    var phi_1023_: type_8;
-    var phi_1067_: u32;
-    var phi_1073_: u32;
-    var phi_1083_: u32;
-    var phi_1099_: u32;
-    var phi_1132_: u32;
-    var phi_1138_: u32;
-    var phi_1565_: u32;
-    var phi_1583_: u32;
-    var phi_1601_: u32;
-    var phi_1621_: u32;
-    var phi_1639_: u32;
-    var phi_1657_: u32;
-    var phi_1677_: u32;
-    var phi_1695_: u32;
-    var phi_1713_: u32;
-    var phi_1291_: u32;
-    var phi_1306_: u32;
-    var phi_1316_: u32;
-    var phi_1336_: u32;
-    var phi_1356_: u32;
-    var phi_1382_: u32;
-    var phi_1397_: u32;
-    var phi_1407_: u32;
-    var phi_1427_: u32;
-    var phi_1447_: u32;
-    var phi_1473_: u32;
-    var phi_1488_: u32;
-    var phi_1498_: u32;
-    var phi_1518_: u32;
-    var phi_1538_: u32;
-    var phi_1162_: u32;
-    var phi_1205_: u32;
-    var phi_1248_: u32;
-    var phi_1719_: array<array<f32, 3>, 3>;
-    var phi_1836_: bool;
-    var phi_1865_: bool;
-    var phi_2266_: f32;
-    var phi_2267_: f32;
-    var phi_2268_: f32;
-    var phi_2269_: f32;
-    var phi_2270_: vec3<f32>;
-    var phi_2271_: vec3<f32>;
-    var phi_2272_: vec3<f32>;
-    var phi_2273_: vec3<f32>;
-    var phi_2304_: bool;
-    var phi_2313_: vec3<f32>;
-    var phi_2478_: f32;
-    var phi_2480_: f32;
-    var phi_2481_: bool;
-    var phi_2501_: f32;
-    var phi_2502_: f32;
-    var phi_2525_: type_22;
-    var phi_2527_: type_22;
-    var phi_2528_: bool;
-    var phi_2532_: type_22;
-    var phi_2533_: type_22;
-    var phi_2534_: type_22;
-    var phi_2535_: bool;
-    var phi_2539_: type_22;
-    var phi_2540_: bool;
-    var phi_2541_: type_22;
-    var phi_2542_: bool;
-    var phi_2543_: bool;
-    var phi_2544_: type_22;
-    var phi_2545_: bool;
-    var phi_2546_: bool;
-    var phi_2554_: type_22;
-    var phi_2555_: bool;
-    var phi_2559_: type_22;
-    var phi_2584_: bool;
-    var phi_2585_: bool;
-    var phi_2592_: type_42;
-    var phi_2593_: type_42;
-    var phi_2594_: type_42;
-    var phi_998_: type_42;
-    var phi_4214_: bool;
-    var phi_4407_: bool;
-    var phi_3837_: type_42;
-    var phi_3838_: type_49;
-    var phi_3839_: bool;
-    var phi_3840_: u32;
-    var phi_4406_: bool;
-    var phi_3841_: type_42;
-    var phi_3842_: type_49;
-    var phi_3843_: u32;
-    var phi_3844_: bool;
-    var phi_3845_: u32;
-    var phi_4405_: bool;
-    var phi_3846_: type_42;
-    var phi_3847_: type_49;
-    var phi_3848_: u32;
-    var phi_3849_: bool;
-    var phi_3850_: u32;
-    var phi_4404_: bool;
-    var phi_871_: type_42;
-    var phi_874_: type_49;
-    var phi_876_: u32;
-    var phi_878_: bool;
-    var phi_880_: u32;
-    var phi_3851_: bool;
-    var phi_4403_: bool;
+    var phi_611_: f32;
+    var phi_617_: f32;
+    var phi_669_: f32;
+    var phi_680_: f32;
+    var phi_689_: f32;
+    var phi_695_: f32;
+    var phi_735_: f32;
+    var phi_741_: f32;
+    var phi_793_: f32;
+    var phi_804_: f32;
+    var phi_813_: f32;
+    var phi_819_: f32;
+    var phi_859_: f32;
+    var phi_865_: f32;
+    var phi_917_: f32;
+    var phi_928_: f32;
+    var phi_983_: i32;
+    var phi_1005_: u32;
+    var phi_1006_: u32;
+    var phi_1043_: i32;
+    var phi_1065_: u32;
+    var phi_1066_: u32;
+    var phi_1074_: f32;
+    var phi_1075_: f32;
+    var phi_4647_: bool;
+    var phi_1173_: type_42;
+    var phi_1176_: type_49;
+    var phi_1178_: u32;
+    var phi_1180_: bool;
+    var phi_1182_: u32;
+    var phi_1193_: bool;
+    var phi_1279_: type_49;
+    var phi_1280_: bool;
+    var phi_1281_: u32;
+    var phi_3415_: u32;
+    var phi_3421_: u32;
+    var phi_3675_: u32;
+    var phi_3676_: u32;
+    var phi_3686_: u32;
+    var phi_3688_: u32;
+    var phi_3689_: bool;
+    var phi_3709_: u32;
+    var phi_3710_: u32;
+    var phi_3714_: type_50;
+    var phi_4058_: type_49;
+    var phi_4135_: type_49;
+    var phi_4136_: type_49;
+    var phi_4137_: u32;
+    var phi_4139_: type_49;
+    var phi_4140_: u32;
+    var phi_4141_: bool;
+    var phi_4150_: type_49;
+    var phi_4155_: type_49;
+    var phi_4156_: bool;
+    var phi_1300_: type_42;
+    var phi_1303_: type_8;
+    var phi_1304_: type_8;
+    var phi_1326_: type_8;
+    var phi_1370_: u32;
+    var phi_1376_: u32;
+    var phi_1386_: u32;
+    var phi_1402_: u32;
+    var phi_1435_: u32;
+    var phi_1441_: u32;
+    var phi_1886_: u32;
+    var phi_1904_: u32;
+    var phi_1922_: u32;
+    var phi_1942_: u32;
+    var phi_1960_: u32;
+    var phi_1978_: u32;
+    var phi_1998_: u32;
+    var phi_2016_: u32;
+    var phi_2034_: u32;
+    var phi_1603_: u32;
+    var phi_1618_: u32;
+    var phi_1628_: u32;
+    var phi_1649_: u32;
+    var phi_1670_: u32;
+    var phi_1697_: u32;
+    var phi_1712_: u32;
+    var phi_1722_: u32;
+    var phi_1743_: u32;
+    var phi_1764_: u32;
+    var phi_1791_: u32;
+    var phi_1806_: u32;
+    var phi_1816_: u32;
+    var phi_1837_: u32;
+    var phi_1858_: u32;
+    var phi_1465_: u32;
+    var phi_1511_: u32;
+    var phi_1557_: u32;
+    var phi_2040_: array<array<f32, 3>, 3>;
+    var phi_2157_: bool;
+    var phi_2186_: bool;
+    var phi_2587_: f32;
+    var phi_2588_: f32;
+    var phi_2589_: f32;
+    var phi_2590_: f32;
+    var phi_2591_: vec3<f32>;
+    var phi_2592_: vec3<f32>;
+    var phi_2593_: vec3<f32>;
+    var phi_2594_: vec3<f32>;
+    var phi_2625_: bool;
+    var phi_2634_: vec3<f32>;
+    var phi_2799_: f32;
+    var phi_2801_: f32;
+    var phi_2802_: bool;
+    var phi_2822_: f32;
+    var phi_2823_: f32;
+    var phi_2846_: type_22;
+    var phi_2848_: type_22;
+    var phi_2849_: bool;
+    var phi_2853_: type_22;
+    var phi_2854_: type_22;
+    var phi_2855_: type_22;
+    var phi_2856_: bool;
+    var phi_2860_: type_22;
+    var phi_2861_: bool;
+    var phi_2862_: type_22;
+    var phi_2863_: bool;
+    var phi_2864_: bool;
+    var phi_2865_: type_22;
+    var phi_2866_: bool;
+    var phi_2867_: bool;
+    var phi_2875_: type_22;
+    var phi_2876_: bool;
+    var phi_2880_: type_22;
+    var phi_2905_: bool;
+    var phi_2906_: bool;
+    var phi_2913_: type_42;
+    var phi_2914_: type_42;
+    var phi_2915_: type_42;
+    var phi_1301_: type_42;
+    var phi_4641_: bool;
+    var phi_4852_: bool;
+    var phi_4158_: type_42;
+    var phi_4159_: type_49;
+    var phi_4160_: bool;
+    var phi_4161_: u32;
+    var phi_4851_: bool;
+    var phi_4162_: type_42;
+    var phi_4163_: type_49;
+    var phi_4164_: u32;
+    var phi_4165_: bool;
+    var phi_4166_: u32;
+    var phi_4850_: bool;
+    var phi_4167_: type_42;
+    var phi_4168_: type_49;
+    var phi_4169_: u32;
+    var phi_4170_: bool;
+    var phi_4171_: u32;
+    var phi_4849_: bool;
+    var phi_1174_: type_42;
+    var phi_1177_: type_49;
+    var phi_1179_: u32;
+    var phi_1181_: bool;
+    var phi_1183_: u32;
+    var phi_4172_: bool;
+    var phi_4848_: bool;
     var local_10: type_42;
-    var phi_3903_: type_22;
+    var phi_4210_: f32;
+    var phi_4212_: f32;
+    var phi_4213_: bool;
+    var phi_4214_: f32;
+    var phi_4215_: bool;
+    var phi_4549_: u32;
+    var phi_4567_: bool;
+    var phi_4570_: bool;
+    var phi_4583_: f32;
+    var phi_4584_: f32;
+    var phi_4589_: f32;
+    var phi_4590_: f32;
+    var phi_4591_: bool;
+    var phi_4599_: f32;
+    var phi_4230_: f32;
+    var phi_4231_: f32;
+    var phi_4243_: f32;
+    var phi_4248_: type_22;
     var local_11: type_42;
     var local_12: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e92 = global;
-            let _e94 = arrayLength((&global_3.member));
-            let _e97 = arrayLength((&global_7.member));
-            let _e105 = arrayLength((&global_6.member));
-            let _e109 = global_2.member[0u][0u];
-            let _e113 = global_2.member[0u][1u];
-            let _e117 = global_2.member[0u][2u];
-            let _e121 = global_2.member[0u][3u];
-            let _e125 = global_2.member[1u][0u];
-            let _e129 = global_2.member[1u][1u];
-            let _e133 = global_2.member[1u][2u];
-            let _e137 = (_e92.x + (_e92.y * 2097152u));
-            let _e149 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e121) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e109), bitcast<i32>(_e113), bitcast<i32>(_e117));
-            local = array<i32, 3>(bitcast<i32>(_e125), bitcast<i32>(_e129), bitcast<i32>(_e133));
-            let _e152 = (_e137 < arrayLength((&global_4.member)));
-            if _e152 {
-                let _e153 = (_e137 < arrayLength((&global_1.member)));
-                if _e153 {
-                    let _e154 = (_e137 < arrayLength((&global_5.member)));
-                    if _e154 {
-                        if _e152 {
+            let _e98 = global;
+            let _e100 = arrayLength((&global_3.member));
+            let _e103 = arrayLength((&global_7.member));
+            let _e111 = arrayLength((&global_6.member));
+            let _e115 = global_2.member[0u][0u];
+            let _e119 = global_2.member[0u][1u];
+            let _e123 = global_2.member[0u][2u];
+            let _e127 = global_2.member[0u][3u];
+            let _e131 = global_2.member[1u][0u];
+            let _e135 = global_2.member[1u][1u];
+            let _e139 = global_2.member[1u][2u];
+            let _e143 = (_e98.x + (_e98.y * 2097152u));
+            let _e155 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e127) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e115), bitcast<i32>(_e119), bitcast<i32>(_e123));
+            local = array<i32, 3>(bitcast<i32>(_e131), bitcast<i32>(_e135), bitcast<i32>(_e139));
+            let _e158 = (_e143 < arrayLength((&global_4.member)));
+            if _e158 {
+                let _e159 = (_e143 < arrayLength((&global_1.member)));
+                if _e159 {
+                    let _e160 = (_e143 < arrayLength((&global_5.member)));
+                    if _e160 {
+                        if _e158 {
                         } else {
                             break;
                         }
-                        let _e164 = global_4.member[_e137].member.member_2[0u];
-                        let _e166 = (bitcast<u32>(_e164) & 2147483647u);
-                        let _e172 = global_4.member[_e137].member.member_2[1u];
-                        let _e174 = (bitcast<u32>(_e172) & 2147483647u);
-                        let _e180 = global_4.member[_e137].member.member_2[2u];
-                        let _e182 = (bitcast<u32>(_e180) & 2147483647u);
-                        let _e188 = global_4.member[_e137].member.member[0u];
-                        let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                        let _e196 = global_4.member[_e137].member.member[1u];
-                        let _e198 = (bitcast<u32>(_e196) & 2147483647u);
-                        let _e204 = global_4.member[_e137].member.member[2u];
-                        let _e206 = (bitcast<u32>(_e204) & 2147483647u);
-                        let _e208 = select(_e174, _e166, (_e174 < _e166));
-                        let _e210 = select(_e182, _e208, (_e182 < _e208));
-                        let _e212 = select(_e190, _e210, (_e190 < _e210));
-                        let _e214 = select(_e198, _e212, (_e198 < _e212));
-                        let _e216 = select(_e206, _e214, (_e206 < _e214));
-                        let _e221 = global_4.member[_e137].member.member_1;
-                        let _e223 = (bitcast<u32>(_e221) & 2147483647u);
-                        let _e231 = global_4.member[_e137].member.member_3;
-                        let _e237 = (((select(_e223, _e216, (_e223 < _e216)) < 2139095040u) && ((bitcast<u32>(_e231) & 2147483647u) <= 2139095040u)) && (_e210 > 0u));
-                        if _e237 {
-                            let _e240 = (bitcast<u32>(bitcast<f32>(_e210)) & 2147483647u);
-                            if (_e240 >= 8388608u) {
-                                phi_403_ = (bitcast<i32>((_e240 >> bitcast<u32>(23i))) - 127i);
+                        let _e170 = global_4.member[_e143].member.member_2[0u];
+                        let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                        let _e178 = global_4.member[_e143].member.member_2[1u];
+                        let _e180 = (bitcast<u32>(_e178) & 2147483647u);
+                        let _e186 = global_4.member[_e143].member.member_2[2u];
+                        let _e188 = (bitcast<u32>(_e186) & 2147483647u);
+                        let _e194 = global_4.member[_e143].member.member[0u];
+                        let _e196 = (bitcast<u32>(_e194) & 2147483647u);
+                        let _e202 = global_4.member[_e143].member.member[1u];
+                        let _e204 = (bitcast<u32>(_e202) & 2147483647u);
+                        let _e210 = global_4.member[_e143].member.member[2u];
+                        let _e212 = (bitcast<u32>(_e210) & 2147483647u);
+                        let _e214 = select(_e180, _e172, (_e180 < _e172));
+                        let _e216 = select(_e188, _e214, (_e188 < _e214));
+                        let _e218 = select(_e196, _e216, (_e196 < _e216));
+                        let _e220 = select(_e204, _e218, (_e204 < _e218));
+                        let _e222 = select(_e212, _e220, (_e212 < _e220));
+                        let _e227 = global_4.member[_e143].member.member_1;
+                        let _e228 = bitcast<u32>(_e227);
+                        let _e229 = (_e228 & 2147483647u);
+                        let _e237 = global_4.member[_e143].member.member_3;
+                        let _e238 = bitcast<u32>(_e237);
+                        let _e239 = (_e238 & 2147483647u);
+                        let _e243 = (((select(_e229, _e222, (_e229 < _e222)) < 2139095040u) && (_e239 <= 2139095040u)) && (_e216 > 0u));
+                        if _e243 {
+                            let _e246 = (bitcast<u32>(bitcast<f32>(_e216)) & 2147483647u);
+                            if (_e246 >= 8388608u) {
+                                phi_486_ = (bitcast<i32>((_e246 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_403_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e240)), 32u, (_e240 == 0u))));
+                                phi_486_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e246)), 32u, (_e246 == 0u))));
                             }
-                            let _e254 = phi_403_;
-                            phi_404_ = _e254;
+                            let _e260 = phi_486_;
+                            phi_487_ = _e260;
                         } else {
-                            phi_404_ = 0i;
+                            phi_487_ = 0i;
                         }
-                        let _e256 = phi_404_;
-                        let _e257 = (_e166 == _e210);
-                        if _e257 {
-                            phi_414_ = true;
+                        let _e262 = phi_487_;
+                        let _e263 = (_e172 == _e216);
+                        if _e263 {
+                            phi_497_ = true;
                         } else {
-                            phi_414_ = (_e174 == _e210);
+                            phi_497_ = (_e180 == _e216);
                         }
-                        let _e260 = phi_414_;
-                        let _e261 = select(1u, 0u, _e257);
-                        if _e260 {
-                            let _e262 = (_e261 + 1u);
-                            phi_424_ = _e262;
-                            phi_425_ = _e262;
-                            phi_427_ = select(true, false, (_e262 == 2u));
+                        let _e266 = phi_497_;
+                        let _e267 = select(1u, 0u, _e263);
+                        if _e266 {
+                            let _e268 = (_e267 + 1u);
+                            phi_507_ = _e268;
+                            phi_508_ = _e268;
+                            phi_510_ = select(true, false, (_e268 == 2u));
                         } else {
-                            phi_424_ = u32();
-                            phi_425_ = 0u;
-                            phi_427_ = true;
+                            phi_507_ = u32();
+                            phi_508_ = 0u;
+                            phi_510_ = true;
                         }
-                        let _e266 = phi_424_;
-                        let _e268 = phi_425_;
-                        let _e270 = phi_427_;
-                        if _e270 {
-                            phi_432_ = (_e268 + 1u);
+                        let _e272 = phi_507_;
+                        let _e274 = phi_508_;
+                        let _e276 = phi_510_;
+                        if _e276 {
+                            phi_515_ = (_e274 + 1u);
                         } else {
-                            phi_432_ = 0u;
+                            phi_515_ = 0u;
                         }
-                        let _e274 = phi_432_;
-                        let _e275 = select(_e266, _e268, _e270);
-                        let _e276 = select(_e261, select(2u, _e261, _e260), _e270);
-                        let _e277 = -(_e256);
-                        if (_e277 < -126i) {
-                            phi_464_ = -126i;
+                        let _e280 = phi_515_;
+                        let _e281 = select(_e272, _e274, _e276);
+                        let _e282 = select(_e267, select(2u, _e267, _e266), _e276);
+                        let _e283 = -(_e262);
+                        if (_e283 < -126i) {
+                            phi_547_ = -126i;
                         } else {
-                            phi_464_ = select(_e277, 127i, (_e277 > 127i));
+                            phi_547_ = select(_e283, 127i, (_e283 > 127i));
                         }
-                        let _e282 = phi_464_;
-                        let _e287 = bitcast<f32>((bitcast<u32>((_e282 + 127i)) << bitcast<u32>(23i)));
-                        let _e293 = bitcast<f32>((bitcast<u32>(((_e277 - _e282) + 127i)) << bitcast<u32>(23i)));
-                        let _e298 = global_4.member[_e137].member.member;
-                        let _e299 = (_e275 == 0u);
-                        if _e299 {
-                            phi_482_ = _e298[0];
+                        let _e288 = phi_547_;
+                        let _e293 = bitcast<f32>((bitcast<u32>((_e288 + 127i)) << bitcast<u32>(23i)));
+                        let _e299 = bitcast<f32>((bitcast<u32>(((_e283 - _e288) + 127i)) << bitcast<u32>(23i)));
+                        let _e304 = global_4.member[_e143].member.member;
+                        let _e305 = (_e281 == 0u);
+                        if _e305 {
+                            phi_565_ = _e304[0];
                         } else {
-                            phi_482_ = _e298[1];
+                            phi_565_ = _e304[1];
                         }
-                        let _e303 = phi_482_;
-                        let _e304 = (_e275 == 2u);
-                        if _e304 {
-                            phi_488_ = _e298[2];
+                        let _e309 = phi_565_;
+                        let _e310 = (_e281 == 2u);
+                        if _e310 {
+                            phi_571_ = _e304[2];
                         } else {
-                            phi_488_ = _e303;
+                            phi_571_ = _e309;
                         }
-                        let _e307 = phi_488_;
-                        let _e308 = global_4.member[_e137].member.member_2;
-                        if _e299 {
-                            phi_499_ = _e308[0];
+                        let _e313 = phi_571_;
+                        let _e314 = bitcast<u32>(_e313);
+                        let _e316 = ((_e314 & 2139095040u) != 0u);
+                        let _e328 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e313, _e316) * select(0.00000011920929f, 1f, _e316));
+                        let _e329 = global_4.member[_e143].member.member_2;
+                        if _e305 {
+                            phi_611_ = _e329[0];
                         } else {
-                            phi_499_ = _e308[1];
+                            phi_611_ = _e329[1];
                         }
-                        let _e312 = phi_499_;
-                        if _e304 {
-                            phi_505_ = _e308[2];
+                        let _e333 = phi_611_;
+                        if _e310 {
+                            phi_617_ = _e329[2];
                         } else {
-                            phi_505_ = _e312;
+                            phi_617_ = _e333;
                         }
-                        let _e315 = phi_505_;
-                        let _e317 = ((_e315 * _e287) * _e293);
-                        let _e321 = (bitcast<f32>((bitcast<u32>(_e317) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e321 {
-                            let _e325 = (bitcast<f32>((bitcast<u32>(_e307) & 2147483647u)) * 0.00000011920929f);
-                            phi_528_ = select(0.00000000000011368684f, _e325, (_e325 > 0.00000000000011368684f));
-                        } else {
-                            phi_528_ = 0f;
-                        }
-                        let _e329 = phi_528_;
-                        let _e330 = (_e307 + _e329);
-                        let _e331 = (_e307 - _e329);
-                        let _e332 = select(_e317, 0f, _e321);
-                        if _e321 {
-                            phi_539_ = 38685626000000000000000000f;
-                        } else {
-                            phi_539_ = (1f / _e317);
-                        }
-                        let _e335 = phi_539_;
-                        let _e336 = (_e274 == 0u);
-                        if _e336 {
-                            phi_548_ = _e298[0];
-                        } else {
-                            phi_548_ = _e298[1];
-                        }
-                        let _e340 = phi_548_;
-                        let _e341 = (_e274 == 2u);
-                        if _e341 {
-                            phi_554_ = _e298[2];
-                        } else {
-                            phi_554_ = _e340;
-                        }
-                        let _e344 = phi_554_;
-                        if _e336 {
-                            phi_565_ = _e308[0];
-                        } else {
-                            phi_565_ = _e308[1];
-                        }
-                        let _e348 = phi_565_;
-                        if _e341 {
-                            phi_571_ = _e308[2];
-                        } else {
-                            phi_571_ = _e348;
-                        }
-                        let _e351 = phi_571_;
-                        let _e353 = ((_e351 * _e287) * _e293);
+                        let _e336 = phi_617_;
+                        let _e337 = bitcast<u32>(_e336);
+                        let _e339 = ((_e337 & 2139095040u) != 0u);
+                        let _e353 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e336, _e339) * _e293) * select(0.00000011920929f, 1f, _e339)) * _e299);
                         let _e357 = (bitcast<f32>((bitcast<u32>(_e353) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e357 {
-                            let _e361 = (bitcast<f32>((bitcast<u32>(_e344) & 2147483647u)) * 0.00000011920929f);
-                            phi_594_ = select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f));
+                            let _e361 = (bitcast<f32>((bitcast<u32>(_e328) & 2147483647u)) * 0.00000011920929f);
+                            phi_669_ = select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f));
                         } else {
-                            phi_594_ = 0f;
+                            phi_669_ = 0f;
                         }
-                        let _e365 = phi_594_;
-                        let _e366 = (_e344 + _e365);
-                        let _e367 = (_e344 - _e365);
+                        let _e365 = phi_669_;
+                        let _e366 = (_e328 + _e365);
+                        let _e367 = (_e328 - _e365);
                         let _e368 = select(_e353, 0f, _e357);
                         if _e357 {
-                            phi_605_ = 38685626000000000000000000f;
+                            phi_680_ = 38685626000000000000000000f;
                         } else {
-                            phi_605_ = (1f / _e353);
+                            phi_680_ = (1f / _e353);
                         }
-                        let _e371 = phi_605_;
-                        let _e372 = (_e276 == 0u);
+                        let _e371 = phi_680_;
+                        let _e372 = (_e280 == 0u);
                         if _e372 {
-                            phi_614_ = _e298[0];
+                            phi_689_ = _e304[0];
                         } else {
-                            phi_614_ = _e298[1];
+                            phi_689_ = _e304[1];
                         }
-                        let _e376 = phi_614_;
-                        let _e377 = (_e276 == 2u);
+                        let _e376 = phi_689_;
+                        let _e377 = (_e280 == 2u);
                         if _e377 {
-                            phi_620_ = _e298[2];
+                            phi_695_ = _e304[2];
                         } else {
-                            phi_620_ = _e376;
+                            phi_695_ = _e376;
                         }
-                        let _e380 = phi_620_;
+                        let _e380 = phi_695_;
+                        let _e381 = bitcast<u32>(_e380);
+                        let _e383 = ((_e381 & 2139095040u) != 0u);
+                        let _e395 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e381 & 2147483648u))), _e380, _e383) * select(0.00000011920929f, 1f, _e383));
                         if _e372 {
-                            phi_631_ = _e308[0];
+                            phi_735_ = _e329[0];
                         } else {
-                            phi_631_ = _e308[1];
+                            phi_735_ = _e329[1];
                         }
-                        let _e384 = phi_631_;
+                        let _e399 = phi_735_;
                         if _e377 {
-                            phi_637_ = _e308[2];
+                            phi_741_ = _e329[2];
                         } else {
-                            phi_637_ = _e384;
+                            phi_741_ = _e399;
                         }
-                        let _e387 = phi_637_;
-                        let _e389 = ((_e387 * _e287) * _e293);
-                        let _e393 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e393 {
-                            let _e397 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) * 0.00000011920929f);
-                            phi_660_ = select(0.00000000000011368684f, _e397, (_e397 > 0.00000000000011368684f));
+                        let _e402 = phi_741_;
+                        let _e403 = bitcast<u32>(_e402);
+                        let _e405 = ((_e403 & 2139095040u) != 0u);
+                        let _e419 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e403 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e403 & 2147483648u))), _e402, _e405) * _e293) * select(0.00000011920929f, 1f, _e405)) * _e299);
+                        let _e423 = (bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e423 {
+                            let _e427 = (bitcast<f32>((bitcast<u32>(_e395) & 2147483647u)) * 0.00000011920929f);
+                            phi_793_ = select(0.00000000000011368684f, _e427, (_e427 > 0.00000000000011368684f));
                         } else {
-                            phi_660_ = 0f;
+                            phi_793_ = 0f;
                         }
-                        let _e401 = phi_660_;
-                        let _e402 = (_e380 + _e401);
-                        let _e403 = (_e380 - _e401);
-                        let _e404 = select(_e389, 0f, _e393);
-                        if _e393 {
-                            phi_671_ = 38685626000000000000000000f;
+                        let _e431 = phi_793_;
+                        let _e432 = (_e395 + _e431);
+                        let _e433 = (_e395 - _e431);
+                        let _e434 = select(_e419, 0f, _e423);
+                        if _e423 {
+                            phi_804_ = 38685626000000000000000000f;
                         } else {
-                            phi_671_ = (1f / _e389);
+                            phi_804_ = (1f / _e419);
                         }
-                        let _e407 = phi_671_;
-                        let _e410 = bitcast<f32>((bitcast<u32>(_e307) & 2147483647u));
-                        let _e413 = bitcast<f32>((bitcast<u32>(_e344) & 2147483647u));
-                        let _e415 = select(_e413, _e410, (_e410 > _e413));
-                        let _e418 = bitcast<f32>((bitcast<u32>(_e380) & 2147483647u));
-                        if (_e237 && (select(_e418, _e415, (_e415 > _e418)) <= 1099511600000f)) {
-                            let _e423 = (_e256 / 3i);
-                            let _e430 = bitcast<f32>((bitcast<u32>((_e423 + 127i)) << bitcast<u32>(23i)));
-                            let _e437 = bitcast<f32>((bitcast<u32>(((_e256 - (2i * _e423)) + 127i)) << bitcast<u32>(23i)));
-                            let _e438 = (((_e221 * _e430) * _e430) * _e437);
-                            let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
-                            let _e445 = (((_e231 * _e430) * _e430) * _e437);
-                            let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
-                            phi_771_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
-                            phi_772_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
+                        let _e437 = phi_804_;
+                        let _e438 = (_e282 == 0u);
+                        if _e438 {
+                            phi_813_ = _e304[0];
                         } else {
-                            phi_771_ = 0f;
-                            phi_772_ = 1f;
+                            phi_813_ = _e304[1];
                         }
-                        let _e451 = phi_771_;
-                        let _e453 = phi_772_;
-                        if _e152 {
+                        let _e442 = phi_813_;
+                        let _e443 = (_e282 == 2u);
+                        if _e443 {
+                            phi_819_ = _e304[2];
+                        } else {
+                            phi_819_ = _e442;
+                        }
+                        let _e446 = phi_819_;
+                        let _e447 = bitcast<u32>(_e446);
+                        let _e449 = ((_e447 & 2139095040u) != 0u);
+                        let _e461 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e447 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e447 & 2147483648u))), _e446, _e449) * select(0.00000011920929f, 1f, _e449));
+                        if _e438 {
+                            phi_859_ = _e329[0];
+                        } else {
+                            phi_859_ = _e329[1];
+                        }
+                        let _e465 = phi_859_;
+                        if _e443 {
+                            phi_865_ = _e329[2];
+                        } else {
+                            phi_865_ = _e465;
+                        }
+                        let _e468 = phi_865_;
+                        let _e469 = bitcast<u32>(_e468);
+                        let _e471 = ((_e469 & 2139095040u) != 0u);
+                        let _e485 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e469 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e469 & 2147483648u))), _e468, _e471) * _e293) * select(0.00000011920929f, 1f, _e471)) * _e299);
+                        let _e489 = (bitcast<f32>((bitcast<u32>(_e485) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e489 {
+                            let _e493 = (bitcast<f32>((bitcast<u32>(_e461) & 2147483647u)) * 0.00000011920929f);
+                            phi_917_ = select(0.00000000000011368684f, _e493, (_e493 > 0.00000000000011368684f));
+                        } else {
+                            phi_917_ = 0f;
+                        }
+                        let _e497 = phi_917_;
+                        let _e498 = (_e461 + _e497);
+                        let _e499 = (_e461 - _e497);
+                        let _e500 = select(_e485, 0f, _e489);
+                        if _e489 {
+                            phi_928_ = 38685626000000000000000000f;
+                        } else {
+                            phi_928_ = (1f / _e485);
+                        }
+                        let _e503 = phi_928_;
+                        let _e506 = bitcast<f32>((bitcast<u32>(_e328) & 2147483647u));
+                        let _e509 = bitcast<f32>((bitcast<u32>(_e395) & 2147483647u));
+                        let _e511 = select(_e509, _e506, (_e506 > _e509));
+                        let _e514 = bitcast<f32>((bitcast<u32>(_e461) & 2147483647u));
+                        if (_e243 && (select(_e514, _e511, (_e511 > _e514)) <= 1099511600000f)) {
+                            let _e526 = ((_e229 & 8388607u) | (select(0u, 1u, ((_e229 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e529 = bitcast<i32>((_e229 >> bitcast<u32>(23i)));
+                            let _e533 = (_e526 == 0u);
+                            let _e536 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e526)), 32u, _e533)) - 8i);
+                            if (_e529 == 255i) {
+                                phi_983_ = 255i;
+                            } else {
+                                phi_983_ = (((_e529 + select(0i, 1i, (_e529 == 0i))) - _e536) + _e262);
+                            }
+                            let _e544 = phi_983_;
+                            let _e554 = (_e544 <= 0i);
+                            if _e554 {
+                                phi_1006_ = u32();
+                            } else {
+                                if _e533 {
+                                    phi_1005_ = u32();
+                                } else {
+                                    phi_1005_ = select(((bitcast<u32>(_e544) << bitcast<u32>(23i)) | ((_e526 << bitcast<u32>(((_e536 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e544 >= 255i));
+                                }
+                                let _e558 = phi_1005_;
+                                phi_1006_ = _e558;
+                            }
+                            let _e560 = phi_1006_;
+                            let _e572 = ((_e239 & 8388607u) | (select(0u, 1u, ((_e239 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e575 = bitcast<i32>((_e239 >> bitcast<u32>(23i)));
+                            let _e579 = (_e572 == 0u);
+                            let _e582 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e572)), 32u, _e579)) - 8i);
+                            if (_e575 == 255i) {
+                                phi_1043_ = 255i;
+                            } else {
+                                phi_1043_ = (((_e575 + select(0i, 1i, (_e575 == 0i))) - _e582) + _e262);
+                            }
+                            let _e590 = phi_1043_;
+                            let _e600 = (_e590 <= 0i);
+                            if _e600 {
+                                phi_1066_ = u32();
+                            } else {
+                                if _e579 {
+                                    phi_1065_ = u32();
+                                } else {
+                                    phi_1065_ = select(((bitcast<u32>(_e590) << bitcast<u32>(23i)) | ((_e572 << bitcast<u32>(((_e582 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e590 >= 255i));
+                                }
+                                let _e604 = phi_1065_;
+                                phi_1066_ = _e604;
+                            }
+                            let _e606 = phi_1066_;
+                            phi_1074_ = bitcast<f32>(((_e238 & 2147483648u) | select(_e606, 0u, select(_e579, true, _e600))));
+                            phi_1075_ = bitcast<f32>(((_e228 & 2147483648u) | select(_e560, 0u, select(_e533, true, _e554))));
+                        } else {
+                            phi_1074_ = 0f;
+                            phi_1075_ = 1f;
+                        }
+                        let _e612 = phi_1074_;
+                        let _e614 = phi_1075_;
+                        if _e158 {
                         } else {
                             break;
                         }
-                        let _e459 = global_4.member[_e137].member_2;
+                        let _e620 = global_4.member[_e143].member_2;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -537,1366 +617,1465 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e462 = (_e275 % 3u);
-                        let _e463 = (_e462 < 3u);
-                        if _e463 {
+                        let _e623 = (_e281 % 3u);
+                        let _e624 = (_e623 < 3u);
+                        if _e624 {
                         } else {
                             break;
                         }
-                        let _e465 = local_1[_e462];
-                        let _e468 = (_e274 % 3u);
-                        let _e469 = (_e468 < 3u);
-                        if _e469 {
+                        let _e626 = local_1[_e623];
+                        let _e629 = (_e280 % 3u);
+                        let _e630 = (_e629 < 3u);
+                        if _e630 {
                         } else {
                             break;
                         }
-                        let _e471 = local_1[_e468];
-                        let _e474 = (_e276 % 3u);
-                        let _e475 = (_e474 < 3u);
-                        if _e475 {
+                        let _e632 = local_1[_e629];
+                        let _e635 = (_e282 % 3u);
+                        let _e636 = (_e635 < 3u);
+                        if _e636 {
                         } else {
                             break;
                         }
-                        let _e477 = local_1[_e474];
-                        if _e463 {
+                        let _e638 = local_1[_e635];
+                        if _e624 {
                         } else {
                             break;
                         }
-                        let _e482 = local[_e462];
-                        if _e469 {
+                        let _e643 = local[_e623];
+                        if _e630 {
                         } else {
                             break;
                         }
-                        let _e486 = local[_e468];
-                        if _e475 {
+                        let _e647 = local[_e629];
+                        if _e636 {
                         } else {
                             break;
                         }
-                        let _e490 = local[_e474];
-                        phi_4220_ = false;
-                        phi_870_ = type_42(type_38(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e451), 0u, 0u);
-                        phi_873_ = type_49(type_34(vec4<f32>((f32(_e465) * _e149), (f32(_e471) * _e149), (f32(_e477) * _e149), 0f), vec4<f32>((f32(_e482) * _e149), (f32(_e486) * _e149), (f32(_e490) * _e149), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
-                        phi_875_ = ((3u * _e94) + 1u);
-                        phi_877_ = (_e453 <= _e451);
-                        phi_879_ = 0u;
+                        let _e651 = local[_e635];
+                        phi_4647_ = false;
+                        phi_1173_ = type_42(type_38(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e612), 0u, 0u);
+                        phi_1176_ = type_49(type_34(vec4<f32>((f32(_e626) * _e155), (f32(_e632) * _e155), (f32(_e638) * _e155), 0f), vec4<f32>((f32(_e643) * _e155), (f32(_e647) * _e155), (f32(_e651) * _e155), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
+                        phi_1178_ = ((3u * _e100) + 1u);
+                        phi_1180_ = (_e614 <= _e612);
+                        phi_1182_ = 0u;
                         loop {
-                            let _e500 = phi_4220_;
-                            let _e502 = phi_870_;
-                            let _e504 = phi_873_;
-                            let _e506 = phi_875_;
-                            let _e508 = phi_877_;
-                            let _e510 = phi_879_;
-                            local_10 = _e502;
-                            local_11 = _e502;
-                            if _e508 {
-                                phi_890_ = true;
+                            let _e661 = phi_4647_;
+                            let _e663 = phi_1173_;
+                            let _e665 = phi_1176_;
+                            let _e667 = phi_1178_;
+                            let _e669 = phi_1180_;
+                            let _e671 = phi_1182_;
+                            local_10 = _e663;
+                            local_11 = _e663;
+                            if _e669 {
+                                phi_1193_ = true;
                             } else {
-                                phi_890_ = (_e510 > 0u);
+                                phi_1193_ = (_e671 > 0u);
                             }
-                            let _e513 = phi_890_;
-                            if _e513 {
-                                let _e514 = (_e506 > 0u);
-                                if _e514 {
-                                    if _e508 {
-                                        phi_976_ = _e504;
-                                        phi_977_ = _e508;
-                                        phi_978_ = _e510;
+                            let _e674 = phi_1193_;
+                            if _e674 {
+                                let _e675 = (_e667 > 0u);
+                                if _e675 {
+                                    if _e669 {
+                                        phi_1279_ = _e665;
+                                        phi_1280_ = _e669;
+                                        phi_1281_ = _e671;
                                     } else {
-                                        let _e515 = (_e510 - 1u);
-                                        let _e516 = (_e515 % 128u);
-                                        let _e517 = (_e516 < 128u);
-                                        if _e517 {
+                                        let _e676 = (_e671 - 1u);
+                                        let _e677 = (_e676 % 128u);
+                                        let _e678 = (_e677 < 128u);
+                                        if _e678 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e519 = local_7[_e516];
-                                        if _e517 {
+                                        let _e680 = local_7[_e677];
+                                        if _e678 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e521 = local_6[_e516];
-                                        if _e517 {
+                                        let _e682 = local_6[_e677];
+                                        if _e678 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e523 = local_5[_e516];
-                                        if _e517 {
+                                        let _e684 = local_5[_e677];
+                                        if _e678 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e525 = local_4[_e516];
-                                        if _e517 {
+                                        let _e686 = local_4[_e677];
+                                        if _e678 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e527 = local_3[_e516];
-                                        if _e517 {
+                                        let _e688 = local_3[_e677];
+                                        if _e678 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e529 = local_2[_e516];
-                                        if _e517 {
+                                        let _e690 = local_2[_e677];
+                                        if _e678 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e534 = local_8[_e516];
-                                        if _e517 {
+                                        let _e695 = local_8[_e677];
+                                        if _e678 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e537 = local_9[_e516];
-                                        phi_976_ = type_49(type_34(vec4<f32>(_e519, _e521, _e523, 0f), vec4<f32>(_e525, _e527, _e529, 0f)), _e534);
-                                        phi_977_ = (_e537 <= _e502.member.member_1);
-                                        phi_978_ = _e515;
+                                        let _e698 = local_9[_e677];
+                                        phi_1279_ = type_49(type_34(vec4<f32>(_e680, _e682, _e684, 0f), vec4<f32>(_e686, _e688, _e690, 0f)), _e695);
+                                        phi_1280_ = (_e698 <= _e663.member.member_1);
+                                        phi_1281_ = _e676;
                                     }
-                                    let _e542 = phi_976_;
-                                    let _e544 = phi_977_;
-                                    let _e546 = phi_978_;
-                                    if _e544 {
-                                        let _e551 = (_e542.member_1 & 268435455u);
-                                        if ((_e542.member_1 & 2147483648u) != 0u) {
-                                            phi_997_ = _e502;
-                                            phi_1000_ = type_8(0u, ((_e542.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e703 = phi_1279_;
+                                    let _e705 = phi_1280_;
+                                    let _e707 = phi_1281_;
+                                    if _e705 {
+                                        let _e712 = (_e703.member_1 & 268435455u);
+                                        if ((_e703.member_1 & 2147483648u) != 0u) {
+                                            phi_1300_ = _e663;
+                                            phi_1303_ = type_8(0u, ((_e703.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1018 = phi_997_;
-                                                let _e1020 = phi_1000_;
-                                                local_12 = _e1018;
-                                                if (_e1020.member < _e1020.member_1) {
-                                                    phi_1001_ = type_8((_e1020.member + 1u), _e1020.member_1);
-                                                    phi_1023_ = type_8(1u, _e1020.member);
+                                                let _e1185 = phi_1300_;
+                                                let _e1187 = phi_1303_;
+                                                local_12 = _e1185;
+                                                if (_e1187.member < _e1187.member_1) {
+                                                    phi_1304_ = type_8((_e1187.member + 1u), _e1187.member_1);
+                                                    phi_1326_ = type_8(1u, _e1187.member);
                                                 } else {
-                                                    phi_1001_ = _e1020;
-                                                    phi_1023_ = type_8(0u, type_8().member_1);
+                                                    phi_1304_ = _e1187;
+                                                    phi_1326_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1033 = phi_1001_;
-                                                let _e1035 = phi_1023_;
-                                                let _e1039 = (bitcast<i32>(_e1035.member) != 0i);
-                                                if _e1039 {
-                                                    let _e1045 = type_42(_e1018.member, _e1018.member_1, (_e1018.member_2 + 1u));
-                                                    let _e1050 = (_e542.member.member_1.x - _e542.member.member.x);
-                                                    let _e1053 = (_e542.member.member_1.y - _e542.member.member.y);
-                                                    let _e1056 = (_e542.member.member_1.z - _e542.member.member.z);
-                                                    let _e1058 = select(_e1053, _e1050, (_e1050 > _e1053));
-                                                    let _e1060 = select(_e1056, _e1058, (_e1058 > _e1056));
-                                                    let _e1062 = (_e1060 < (1024f * _e149));
-                                                    if _e1062 {
-                                                        phi_1067_ = 0u;
+                                                let _e1200 = phi_1304_;
+                                                let _e1202 = phi_1326_;
+                                                let _e1206 = (bitcast<i32>(_e1202.member) != 0i);
+                                                if _e1206 {
+                                                    let _e1212 = type_42(_e1185.member, _e1185.member_1, (_e1185.member_2 + 1u));
+                                                    let _e1217 = (_e703.member.member_1.x - _e703.member.member.x);
+                                                    let _e1220 = (_e703.member.member_1.y - _e703.member.member.y);
+                                                    let _e1223 = (_e703.member.member_1.z - _e703.member.member.z);
+                                                    let _e1225 = select(_e1220, _e1217, (_e1217 > _e1220));
+                                                    let _e1227 = select(_e1223, _e1225, (_e1225 > _e1223));
+                                                    let _e1229 = (_e1227 < (1024f * _e155));
+                                                    if _e1229 {
+                                                        phi_1370_ = 0u;
                                                     } else {
-                                                        phi_1067_ = select(2u, 1u, (_e1060 < (2097152f * _e149)));
+                                                        phi_1370_ = select(2u, 1u, (_e1227 < (2097152f * _e155)));
                                                     }
-                                                    let _e1067 = phi_1067_;
-                                                    switch bitcast<i32>(_e1067) {
+                                                    let _e1234 = phi_1370_;
+                                                    switch bitcast<i32>(_e1234) {
                                                         case 0: {
-                                                            phi_1073_ = 1u;
+                                                            phi_1376_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1073_ = 2u;
+                                                            phi_1376_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1073_ = 3u;
+                                                            phi_1376_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1073_ = u32();
+                                                            phi_1376_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1070 = phi_1073_;
-                                                    switch bitcast<i32>(_e1067) {
+                                                    let _e1237 = phi_1376_;
+                                                    switch bitcast<i32>(_e1234) {
                                                         case 0: {
-                                                            phi_1083_ = 1u;
+                                                            phi_1386_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1083_ = 2u;
+                                                            phi_1386_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1083_ = 3u;
+                                                            phi_1386_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1083_ = u32();
+                                                            phi_1386_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1077 = phi_1083_;
-                                                    let _e1079 = ((_e551 + (_e1035.member_1 * ((3u * _e1070) + 1u))) + (3u * _e1077));
-                                                    let _e1080 = (_e1079 < _e97);
-                                                    if _e1080 {
-                                                        if _e1080 {
+                                                    let _e1244 = phi_1386_;
+                                                    let _e1246 = ((_e712 + (_e1202.member_1 * ((3u * _e1237) + 1u))) + (3u * _e1244));
+                                                    let _e1247 = (_e1246 < _e103);
+                                                    if _e1247 {
+                                                        if _e1247 {
                                                         } else {
-                                                            phi_4214_ = true;
+                                                            phi_4641_ = true;
                                                             break;
                                                         }
-                                                        let _e1082 = global_7.member[_e1079];
-                                                        phi_1099_ = _e1082;
+                                                        let _e1249 = global_7.member[_e1246];
+                                                        phi_1402_ = _e1249;
                                                     } else {
-                                                        phi_1099_ = 4294967295u;
+                                                        phi_1402_ = 4294967295u;
                                                     }
-                                                    let _e1084 = phi_1099_;
-                                                    if _e1062 {
-                                                        phi_1132_ = 0u;
+                                                    let _e1251 = phi_1402_;
+                                                    if _e1229 {
+                                                        phi_1435_ = 0u;
                                                     } else {
-                                                        phi_1132_ = select(2u, 1u, (_e1060 < (2097152f * _e149)));
+                                                        phi_1435_ = select(2u, 1u, (_e1227 < (2097152f * _e155)));
                                                     }
-                                                    let _e1089 = phi_1132_;
-                                                    switch bitcast<i32>(_e1089) {
+                                                    let _e1256 = phi_1435_;
+                                                    switch bitcast<i32>(_e1256) {
                                                         case 0: {
-                                                            phi_1138_ = 1u;
+                                                            phi_1441_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1138_ = 2u;
+                                                            phi_1441_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1138_ = 3u;
+                                                            phi_1441_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1138_ = u32();
+                                                            phi_1441_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1092 = phi_1138_;
-                                                    let _e1096 = (_e551 + (_e1035.member_1 * ((3u * _e1092) + 1u)));
-                                                    switch bitcast<i32>(_e1089) {
+                                                    let _e1259 = phi_1441_;
+                                                    let _e1263 = (_e712 + (_e1202.member_1 * ((3u * _e1259) + 1u)));
+                                                    switch bitcast<i32>(_e1256) {
                                                         case 0: {
-                                                            let _e1362 = (_e1096 < _e97);
-                                                            if _e1362 {
-                                                                if _e1362 {
+                                                            let _e1538 = (_e1263 < _e103);
+                                                            if _e1538 {
+                                                                if _e1538 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1364 = global_7.member[_e1096];
-                                                                phi_1162_ = _e1364;
+                                                                let _e1540 = global_7.member[_e1263];
+                                                                phi_1465_ = _e1540;
                                                             } else {
-                                                                phi_1162_ = 0u;
+                                                                phi_1465_ = 0u;
                                                             }
-                                                            let _e1366 = phi_1162_;
-                                                            let _e1368 = ((10u * _e275) & 31u);
-                                                            let _e1377 = ((10u * _e274) & 31u);
-                                                            let _e1386 = ((10u * _e276) & 31u);
-                                                            let _e1395 = (_e1096 + 1u);
-                                                            let _e1396 = (_e1395 < _e97);
-                                                            if _e1396 {
-                                                                if _e1396 {
+                                                            let _e1542 = phi_1465_;
+                                                            let _e1544 = ((10u * _e281) & 31u);
+                                                            let _e1554 = ((10u * _e280) & 31u);
+                                                            let _e1564 = ((10u * _e282) & 31u);
+                                                            let _e1574 = (_e1263 + 1u);
+                                                            let _e1575 = (_e1574 < _e103);
+                                                            if _e1575 {
+                                                                if _e1575 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1398 = global_7.member[_e1395];
-                                                                phi_1205_ = _e1398;
+                                                                let _e1577 = global_7.member[_e1574];
+                                                                phi_1511_ = _e1577;
                                                             } else {
-                                                                phi_1205_ = 0u;
+                                                                phi_1511_ = 0u;
                                                             }
-                                                            let _e1400 = phi_1205_;
-                                                            let _e1423 = (_e1096 + 2u);
-                                                            let _e1424 = (_e1423 < _e97);
-                                                            if _e1424 {
-                                                                if _e1424 {
+                                                            let _e1579 = phi_1511_;
+                                                            let _e1605 = (_e1263 + 2u);
+                                                            let _e1606 = (_e1605 < _e103);
+                                                            if _e1606 {
+                                                                if _e1606 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1426 = global_7.member[_e1423];
-                                                                phi_1248_ = _e1426;
+                                                                let _e1608 = global_7.member[_e1605];
+                                                                phi_1557_ = _e1608;
                                                             } else {
-                                                                phi_1248_ = 0u;
+                                                                phi_1557_ = 0u;
                                                             }
-                                                            let _e1428 = phi_1248_;
-                                                            phi_1719_ = array<array<f32, 3>, 3>(array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>(((_e1366 >> bitcast<u32>(_e1368)) & 1023u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>(((_e1366 >> bitcast<u32>(_e1377)) & 1023u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>(((_e1366 >> bitcast<u32>(_e1386)) & 1023u))) * _e149))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>(((_e1400 >> bitcast<u32>(_e1368)) & 1023u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>(((_e1400 >> bitcast<u32>(_e1377)) & 1023u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>(((_e1400 >> bitcast<u32>(_e1386)) & 1023u))) * _e149))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>(((_e1428 >> bitcast<u32>(_e1368)) & 1023u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>(((_e1428 >> bitcast<u32>(_e1377)) & 1023u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>(((_e1428 >> bitcast<u32>(_e1386)) & 1023u))) * _e149))));
+                                                            let _e1610 = phi_1557_;
+                                                            phi_2040_ = array<array<f32, 3>, 3>(array<f32, 3>((_e703.member.member.x + ((bitcast<f32>((1258291200u | ((_e1542 >> bitcast<u32>(_e1544)) & 1023u))) - 8388608f) * _e155)), (_e703.member.member.y + ((bitcast<f32>((1258291200u | ((_e1542 >> bitcast<u32>(_e1554)) & 1023u))) - 8388608f) * _e155)), (_e703.member.member.z + ((bitcast<f32>((1258291200u | ((_e1542 >> bitcast<u32>(_e1564)) & 1023u))) - 8388608f) * _e155))), array<f32, 3>((_e703.member.member.x + ((bitcast<f32>((1258291200u | ((_e1579 >> bitcast<u32>(_e1544)) & 1023u))) - 8388608f) * _e155)), (_e703.member.member.y + ((bitcast<f32>((1258291200u | ((_e1579 >> bitcast<u32>(_e1554)) & 1023u))) - 8388608f) * _e155)), (_e703.member.member.z + ((bitcast<f32>((1258291200u | ((_e1579 >> bitcast<u32>(_e1564)) & 1023u))) - 8388608f) * _e155))), array<f32, 3>((_e703.member.member.x + ((bitcast<f32>((1258291200u | ((_e1610 >> bitcast<u32>(_e1544)) & 1023u))) - 8388608f) * _e155)), (_e703.member.member.y + ((bitcast<f32>((1258291200u | ((_e1610 >> bitcast<u32>(_e1554)) & 1023u))) - 8388608f) * _e155)), (_e703.member.member.z + ((bitcast<f32>((1258291200u | ((_e1610 >> bitcast<u32>(_e1564)) & 1023u))) - 8388608f) * _e155))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1185 = (_e1096 < _e97);
-                                                            if _e1185 {
-                                                                if _e1185 {
+                                                            let _e1352 = (_e1263 < _e103);
+                                                            if _e1352 {
+                                                                if _e1352 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1187 = global_7.member[_e1096];
-                                                                phi_1291_ = _e1187;
+                                                                let _e1354 = global_7.member[_e1263];
+                                                                phi_1603_ = _e1354;
                                                             } else {
-                                                                phi_1291_ = 0u;
+                                                                phi_1603_ = 0u;
                                                             }
-                                                            let _e1189 = phi_1291_;
-                                                            let _e1190 = (_e1096 + 1u);
-                                                            let _e1191 = (_e1190 < _e97);
-                                                            if _e1191 {
-                                                                if _e1191 {
+                                                            let _e1356 = phi_1603_;
+                                                            let _e1357 = (_e1263 + 1u);
+                                                            let _e1358 = (_e1357 < _e103);
+                                                            if _e1358 {
+                                                                if _e1358 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1193 = global_7.member[_e1190];
-                                                                phi_1306_ = _e1193;
+                                                                let _e1360 = global_7.member[_e1357];
+                                                                phi_1618_ = _e1360;
                                                             } else {
-                                                                phi_1306_ = 0u;
+                                                                phi_1618_ = 0u;
                                                             }
-                                                            let _e1195 = phi_1306_;
-                                                            let _e1196 = (_e275 == 1u);
-                                                            if _e1196 {
-                                                                phi_1316_ = ((_e1189 >> bitcast<u32>(21i)) | (_e1195 << bitcast<u32>(11i)));
+                                                            let _e1362 = phi_1618_;
+                                                            let _e1363 = (_e281 == 1u);
+                                                            if _e1363 {
+                                                                phi_1628_ = ((_e1356 >> bitcast<u32>(21i)) | (_e1362 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1316_ = (_e1195 >> bitcast<u32>(10i));
+                                                                phi_1628_ = (_e1362 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1205 = phi_1316_;
-                                                            let _e1212 = (_e274 == 1u);
-                                                            if _e1212 {
-                                                                phi_1336_ = ((_e1189 >> bitcast<u32>(21i)) | (_e1195 << bitcast<u32>(11i)));
+                                                            let _e1372 = phi_1628_;
+                                                            let _e1380 = (_e280 == 1u);
+                                                            if _e1380 {
+                                                                phi_1649_ = ((_e1356 >> bitcast<u32>(21i)) | (_e1362 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1336_ = (_e1195 >> bitcast<u32>(10i));
+                                                                phi_1649_ = (_e1362 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1221 = phi_1336_;
-                                                            let _e1228 = (_e276 == 1u);
-                                                            if _e1228 {
-                                                                phi_1356_ = ((_e1189 >> bitcast<u32>(21i)) | (_e1195 << bitcast<u32>(11i)));
+                                                            let _e1389 = phi_1649_;
+                                                            let _e1397 = (_e282 == 1u);
+                                                            if _e1397 {
+                                                                phi_1670_ = ((_e1356 >> bitcast<u32>(21i)) | (_e1362 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1356_ = (_e1195 >> bitcast<u32>(10i));
+                                                                phi_1670_ = (_e1362 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1237 = phi_1356_;
-                                                            let _e1245 = (_e1096 + 2u);
-                                                            let _e1246 = (_e1245 < _e97);
-                                                            if _e1246 {
-                                                                if _e1246 {
+                                                            let _e1406 = phi_1670_;
+                                                            let _e1415 = (_e1263 + 2u);
+                                                            let _e1416 = (_e1415 < _e103);
+                                                            if _e1416 {
+                                                                if _e1416 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1248 = global_7.member[_e1245];
-                                                                phi_1382_ = _e1248;
+                                                                let _e1418 = global_7.member[_e1415];
+                                                                phi_1697_ = _e1418;
                                                             } else {
-                                                                phi_1382_ = 0u;
+                                                                phi_1697_ = 0u;
                                                             }
-                                                            let _e1250 = phi_1382_;
-                                                            let _e1251 = (_e1096 + 3u);
-                                                            let _e1252 = (_e1251 < _e97);
-                                                            if _e1252 {
-                                                                if _e1252 {
+                                                            let _e1420 = phi_1697_;
+                                                            let _e1421 = (_e1263 + 3u);
+                                                            let _e1422 = (_e1421 < _e103);
+                                                            if _e1422 {
+                                                                if _e1422 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1254 = global_7.member[_e1251];
-                                                                phi_1397_ = _e1254;
+                                                                let _e1424 = global_7.member[_e1421];
+                                                                phi_1712_ = _e1424;
                                                             } else {
-                                                                phi_1397_ = 0u;
+                                                                phi_1712_ = 0u;
                                                             }
-                                                            let _e1256 = phi_1397_;
-                                                            if _e1196 {
-                                                                phi_1407_ = ((_e1250 >> bitcast<u32>(21i)) | (_e1256 << bitcast<u32>(11i)));
+                                                            let _e1426 = phi_1712_;
+                                                            if _e1363 {
+                                                                phi_1722_ = ((_e1420 >> bitcast<u32>(21i)) | (_e1426 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1407_ = (_e1256 >> bitcast<u32>(10i));
+                                                                phi_1722_ = (_e1426 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1265 = phi_1407_;
-                                                            if _e1212 {
-                                                                phi_1427_ = ((_e1250 >> bitcast<u32>(21i)) | (_e1256 << bitcast<u32>(11i)));
+                                                            let _e1435 = phi_1722_;
+                                                            if _e1380 {
+                                                                phi_1743_ = ((_e1420 >> bitcast<u32>(21i)) | (_e1426 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1427_ = (_e1256 >> bitcast<u32>(10i));
+                                                                phi_1743_ = (_e1426 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1280 = phi_1427_;
-                                                            if _e1228 {
-                                                                phi_1447_ = ((_e1250 >> bitcast<u32>(21i)) | (_e1256 << bitcast<u32>(11i)));
+                                                            let _e1451 = phi_1743_;
+                                                            if _e1397 {
+                                                                phi_1764_ = ((_e1420 >> bitcast<u32>(21i)) | (_e1426 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1447_ = (_e1256 >> bitcast<u32>(10i));
+                                                                phi_1764_ = (_e1426 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1295 = phi_1447_;
-                                                            let _e1303 = (_e1096 + 4u);
-                                                            let _e1304 = (_e1303 < _e97);
+                                                            let _e1467 = phi_1764_;
+                                                            let _e1476 = (_e1263 + 4u);
+                                                            let _e1477 = (_e1476 < _e103);
+                                                            if _e1477 {
+                                                                if _e1477 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1479 = global_7.member[_e1476];
+                                                                phi_1791_ = _e1479;
+                                                            } else {
+                                                                phi_1791_ = 0u;
+                                                            }
+                                                            let _e1481 = phi_1791_;
+                                                            let _e1482 = (_e1263 + 5u);
+                                                            let _e1483 = (_e1482 < _e103);
+                                                            if _e1483 {
+                                                                if _e1483 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1485 = global_7.member[_e1482];
+                                                                phi_1806_ = _e1485;
+                                                            } else {
+                                                                phi_1806_ = 0u;
+                                                            }
+                                                            let _e1487 = phi_1806_;
+                                                            if _e1363 {
+                                                                phi_1816_ = ((_e1481 >> bitcast<u32>(21i)) | (_e1487 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1816_ = (_e1487 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1496 = phi_1816_;
+                                                            if _e1380 {
+                                                                phi_1837_ = ((_e1481 >> bitcast<u32>(21i)) | (_e1487 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1837_ = (_e1487 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1512 = phi_1837_;
+                                                            if _e1397 {
+                                                                phi_1858_ = ((_e1481 >> bitcast<u32>(21i)) | (_e1487 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1858_ = (_e1487 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1528 = phi_1858_;
+                                                            phi_2040_ = array<array<f32, 3>, 3>(array<f32, 3>((_e703.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1372, _e1356, _e305) & 2097151u))) - 8388608f) * _e155)), (_e703.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1389, _e1356, _e372) & 2097151u))) - 8388608f) * _e155)), (_e703.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1406, _e1356, _e438) & 2097151u))) - 8388608f) * _e155))), array<f32, 3>((_e703.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1435, _e1420, _e305) & 2097151u))) - 8388608f) * _e155)), (_e703.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1451, _e1420, _e372) & 2097151u))) - 8388608f) * _e155)), (_e703.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1467, _e1420, _e438) & 2097151u))) - 8388608f) * _e155))), array<f32, 3>((_e703.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1496, _e1481, _e305) & 2097151u))) - 8388608f) * _e155)), (_e703.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1512, _e1481, _e372) & 2097151u))) - 8388608f) * _e155)), (_e703.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1528, _e1481, _e438) & 2097151u))) - 8388608f) * _e155))));
+                                                            break;
+                                                        }
+                                                        case 2: {
+                                                            let _e1265 = (_e1263 + _e281);
+                                                            let _e1266 = (_e1265 < _e103);
+                                                            if _e1266 {
+                                                                if _e1266 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1268 = global_7.member[_e1265];
+                                                                phi_1886_ = _e1268;
+                                                            } else {
+                                                                phi_1886_ = 0u;
+                                                            }
+                                                            let _e1270 = phi_1886_;
+                                                            let _e1274 = (_e1263 + _e280);
+                                                            let _e1275 = (_e1274 < _e103);
+                                                            if _e1275 {
+                                                                if _e1275 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1277 = global_7.member[_e1274];
+                                                                phi_1904_ = _e1277;
+                                                            } else {
+                                                                phi_1904_ = 0u;
+                                                            }
+                                                            let _e1279 = phi_1904_;
+                                                            let _e1283 = (_e1263 + _e282);
+                                                            let _e1284 = (_e1283 < _e103);
+                                                            if _e1284 {
+                                                                if _e1284 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1286 = global_7.member[_e1283];
+                                                                phi_1922_ = _e1286;
+                                                            } else {
+                                                                phi_1922_ = 0u;
+                                                            }
+                                                            let _e1288 = phi_1922_;
+                                                            let _e1293 = (_e1263 + 3u);
+                                                            let _e1294 = (_e1293 + _e281);
+                                                            let _e1295 = (_e1294 < _e103);
+                                                            if _e1295 {
+                                                                if _e1295 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1297 = global_7.member[_e1294];
+                                                                phi_1942_ = _e1297;
+                                                            } else {
+                                                                phi_1942_ = 0u;
+                                                            }
+                                                            let _e1299 = phi_1942_;
+                                                            let _e1303 = (_e1293 + _e280);
+                                                            let _e1304 = (_e1303 < _e103);
                                                             if _e1304 {
                                                                 if _e1304 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1306 = global_7.member[_e1303];
-                                                                phi_1473_ = _e1306;
+                                                                phi_1960_ = _e1306;
                                                             } else {
-                                                                phi_1473_ = 0u;
+                                                                phi_1960_ = 0u;
                                                             }
-                                                            let _e1308 = phi_1473_;
-                                                            let _e1309 = (_e1096 + 5u);
-                                                            let _e1310 = (_e1309 < _e97);
-                                                            if _e1310 {
-                                                                if _e1310 {
+                                                            let _e1308 = phi_1960_;
+                                                            let _e1312 = (_e1293 + _e282);
+                                                            let _e1313 = (_e1312 < _e103);
+                                                            if _e1313 {
+                                                                if _e1313 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1312 = global_7.member[_e1309];
-                                                                phi_1488_ = _e1312;
+                                                                let _e1315 = global_7.member[_e1312];
+                                                                phi_1978_ = _e1315;
                                                             } else {
-                                                                phi_1488_ = 0u;
+                                                                phi_1978_ = 0u;
                                                             }
-                                                            let _e1314 = phi_1488_;
-                                                            if _e1196 {
-                                                                phi_1498_ = ((_e1308 >> bitcast<u32>(21i)) | (_e1314 << bitcast<u32>(11i)));
-                                                            } else {
-                                                                phi_1498_ = (_e1314 >> bitcast<u32>(10i));
-                                                            }
-                                                            let _e1323 = phi_1498_;
-                                                            if _e1212 {
-                                                                phi_1518_ = ((_e1308 >> bitcast<u32>(21i)) | (_e1314 << bitcast<u32>(11i)));
-                                                            } else {
-                                                                phi_1518_ = (_e1314 >> bitcast<u32>(10i));
-                                                            }
-                                                            let _e1338 = phi_1518_;
-                                                            if _e1228 {
-                                                                phi_1538_ = ((_e1308 >> bitcast<u32>(21i)) | (_e1314 << bitcast<u32>(11i)));
-                                                            } else {
-                                                                phi_1538_ = (_e1314 >> bitcast<u32>(10i));
-                                                            }
-                                                            let _e1353 = phi_1538_;
-                                                            phi_1719_ = array<array<f32, 3>, 3>(array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>((select(_e1205, _e1189, _e299) & 2097151u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>((select(_e1221, _e1189, _e336) & 2097151u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>((select(_e1237, _e1189, _e372) & 2097151u))) * _e149))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>((select(_e1265, _e1250, _e299) & 2097151u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>((select(_e1280, _e1250, _e336) & 2097151u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>((select(_e1295, _e1250, _e372) & 2097151u))) * _e149))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>((select(_e1323, _e1308, _e299) & 2097151u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>((select(_e1338, _e1308, _e336) & 2097151u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>((select(_e1353, _e1308, _e372) & 2097151u))) * _e149))));
-                                                            break;
-                                                        }
-                                                        case 2: {
-                                                            let _e1098 = (_e1096 + _e275);
-                                                            let _e1099 = (_e1098 < _e97);
-                                                            if _e1099 {
-                                                                if _e1099 {
+                                                            let _e1317 = phi_1978_;
+                                                            let _e1322 = (_e1263 + 6u);
+                                                            let _e1323 = (_e1322 + _e281);
+                                                            let _e1324 = (_e1323 < _e103);
+                                                            if _e1324 {
+                                                                if _e1324 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1101 = global_7.member[_e1098];
-                                                                phi_1565_ = _e1101;
+                                                                let _e1326 = global_7.member[_e1323];
+                                                                phi_1998_ = _e1326;
                                                             } else {
-                                                                phi_1565_ = 0u;
+                                                                phi_1998_ = 0u;
                                                             }
-                                                            let _e1103 = phi_1565_;
-                                                            let _e1107 = (_e1096 + _e274);
-                                                            let _e1108 = (_e1107 < _e97);
-                                                            if _e1108 {
-                                                                if _e1108 {
+                                                            let _e1328 = phi_1998_;
+                                                            let _e1332 = (_e1322 + _e280);
+                                                            let _e1333 = (_e1332 < _e103);
+                                                            if _e1333 {
+                                                                if _e1333 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1110 = global_7.member[_e1107];
-                                                                phi_1583_ = _e1110;
+                                                                let _e1335 = global_7.member[_e1332];
+                                                                phi_2016_ = _e1335;
                                                             } else {
-                                                                phi_1583_ = 0u;
+                                                                phi_2016_ = 0u;
                                                             }
-                                                            let _e1112 = phi_1583_;
-                                                            let _e1116 = (_e1096 + _e276);
-                                                            let _e1117 = (_e1116 < _e97);
-                                                            if _e1117 {
-                                                                if _e1117 {
+                                                            let _e1337 = phi_2016_;
+                                                            let _e1341 = (_e1322 + _e282);
+                                                            let _e1342 = (_e1341 < _e103);
+                                                            if _e1342 {
+                                                                if _e1342 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1119 = global_7.member[_e1116];
-                                                                phi_1601_ = _e1119;
+                                                                let _e1344 = global_7.member[_e1341];
+                                                                phi_2034_ = _e1344;
                                                             } else {
-                                                                phi_1601_ = 0u;
+                                                                phi_2034_ = 0u;
                                                             }
-                                                            let _e1121 = phi_1601_;
-                                                            let _e1126 = (_e1096 + 3u);
-                                                            let _e1127 = (_e1126 + _e275);
-                                                            let _e1128 = (_e1127 < _e97);
-                                                            if _e1128 {
-                                                                if _e1128 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1130 = global_7.member[_e1127];
-                                                                phi_1621_ = _e1130;
-                                                            } else {
-                                                                phi_1621_ = 0u;
-                                                            }
-                                                            let _e1132 = phi_1621_;
-                                                            let _e1136 = (_e1126 + _e274);
-                                                            let _e1137 = (_e1136 < _e97);
-                                                            if _e1137 {
-                                                                if _e1137 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1139 = global_7.member[_e1136];
-                                                                phi_1639_ = _e1139;
-                                                            } else {
-                                                                phi_1639_ = 0u;
-                                                            }
-                                                            let _e1141 = phi_1639_;
-                                                            let _e1145 = (_e1126 + _e276);
-                                                            let _e1146 = (_e1145 < _e97);
-                                                            if _e1146 {
-                                                                if _e1146 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1148 = global_7.member[_e1145];
-                                                                phi_1657_ = _e1148;
-                                                            } else {
-                                                                phi_1657_ = 0u;
-                                                            }
-                                                            let _e1150 = phi_1657_;
-                                                            let _e1155 = (_e1096 + 6u);
-                                                            let _e1156 = (_e1155 + _e275);
-                                                            let _e1157 = (_e1156 < _e97);
-                                                            if _e1157 {
-                                                                if _e1157 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1159 = global_7.member[_e1156];
-                                                                phi_1677_ = _e1159;
-                                                            } else {
-                                                                phi_1677_ = 0u;
-                                                            }
-                                                            let _e1161 = phi_1677_;
-                                                            let _e1165 = (_e1155 + _e274);
-                                                            let _e1166 = (_e1165 < _e97);
-                                                            if _e1166 {
-                                                                if _e1166 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1168 = global_7.member[_e1165];
-                                                                phi_1695_ = _e1168;
-                                                            } else {
-                                                                phi_1695_ = 0u;
-                                                            }
-                                                            let _e1170 = phi_1695_;
-                                                            let _e1174 = (_e1155 + _e276);
-                                                            let _e1175 = (_e1174 < _e97);
-                                                            if _e1175 {
-                                                                if _e1175 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1177 = global_7.member[_e1174];
-                                                                phi_1713_ = _e1177;
-                                                            } else {
-                                                                phi_1713_ = 0u;
-                                                            }
-                                                            let _e1179 = phi_1713_;
-                                                            phi_1719_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1103)) * _e149), (f32(bitcast<i32>(_e1112)) * _e149), (f32(bitcast<i32>(_e1121)) * _e149)), array<f32, 3>((f32(bitcast<i32>(_e1132)) * _e149), (f32(bitcast<i32>(_e1141)) * _e149), (f32(bitcast<i32>(_e1150)) * _e149)), array<f32, 3>((f32(bitcast<i32>(_e1161)) * _e149), (f32(bitcast<i32>(_e1170)) * _e149), (f32(bitcast<i32>(_e1179)) * _e149)));
+                                                            let _e1346 = phi_2034_;
+                                                            phi_2040_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1270)) * _e155), (f32(bitcast<i32>(_e1279)) * _e155), (f32(bitcast<i32>(_e1288)) * _e155)), array<f32, 3>((f32(bitcast<i32>(_e1299)) * _e155), (f32(bitcast<i32>(_e1308)) * _e155), (f32(bitcast<i32>(_e1317)) * _e155)), array<f32, 3>((f32(bitcast<i32>(_e1328)) * _e155), (f32(bitcast<i32>(_e1337)) * _e155), (f32(bitcast<i32>(_e1346)) * _e155)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1719_ = array<array<f32, 3>, 3>();
+                                                            phi_2040_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1453 = phi_1719_;
-                                                    let _e1462 = (_e1453[0][2] - _e380);
-                                                    let _e1465 = (((_e1453[0][0] - _e307) * _e404) - (_e1462 * _e332));
-                                                    let _e1468 = (((_e1453[0][1] - _e344) * _e404) - (_e1462 * _e368));
-                                                    let _e1475 = (_e1453[1][2] - _e380);
-                                                    let _e1478 = (((_e1453[1][0] - _e307) * _e404) - (_e1475 * _e332));
-                                                    let _e1481 = (((_e1453[1][1] - _e344) * _e404) - (_e1475 * _e368));
-                                                    let _e1488 = (_e1453[2][2] - _e380);
-                                                    let _e1491 = (((_e1453[2][0] - _e307) * _e404) - (_e1488 * _e332));
-                                                    let _e1494 = (((_e1453[2][1] - _e344) * _e404) - (_e1488 * _e368));
-                                                    let _e1495 = (_e1491 * _e1481);
-                                                    let _e1496 = (_e1494 * _e1478);
-                                                    let _e1497 = (_e1465 * _e1494);
-                                                    let _e1498 = (_e1468 * _e1491);
-                                                    let _e1499 = (_e1478 * _e1468);
-                                                    let _e1500 = (_e1481 * _e1465);
-                                                    let _e1505 = (((_e1495 >= _e1496) && (_e1497 >= _e1498)) && (_e1499 >= _e1500));
-                                                    if (_e1505 || (((_e1495 <= _e1496) && (_e1497 <= _e1498)) && (_e1499 <= _e1500))) {
-                                                        let _e1512 = select(-1f, 1f, _e1505);
-                                                        let _e1514 = ((_e1495 - _e1496) * _e1512);
-                                                        let _e1516 = select(0f, _e1514, (_e1514 > 0f));
-                                                        let _e1518 = ((_e1497 - _e1498) * _e1512);
-                                                        let _e1520 = select(0f, _e1518, (_e1518 > 0f));
-                                                        let _e1522 = ((_e1499 - _e1500) * _e1512);
-                                                        let _e1524 = select(0f, _e1522, (_e1522 > 0f));
-                                                        let _e1526 = ((_e1516 + _e1520) + _e1524);
-                                                        if (_e1526 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2544_ = type_22();
-                                                            phi_2545_ = true;
-                                                            phi_2546_ = false;
+                                                    let _e1638 = phi_2040_;
+                                                    let _e1647 = (_e1638[0][2] - _e461);
+                                                    let _e1650 = (((_e1638[0][0] - _e328) * _e500) - (_e1647 * _e368));
+                                                    let _e1653 = (((_e1638[0][1] - _e395) * _e500) - (_e1647 * _e434));
+                                                    let _e1660 = (_e1638[1][2] - _e461);
+                                                    let _e1663 = (((_e1638[1][0] - _e328) * _e500) - (_e1660 * _e368));
+                                                    let _e1666 = (((_e1638[1][1] - _e395) * _e500) - (_e1660 * _e434));
+                                                    let _e1673 = (_e1638[2][2] - _e461);
+                                                    let _e1676 = (((_e1638[2][0] - _e328) * _e500) - (_e1673 * _e368));
+                                                    let _e1679 = (((_e1638[2][1] - _e395) * _e500) - (_e1673 * _e434));
+                                                    let _e1680 = (_e1676 * _e1666);
+                                                    let _e1681 = (_e1679 * _e1663);
+                                                    let _e1682 = (_e1650 * _e1679);
+                                                    let _e1683 = (_e1653 * _e1676);
+                                                    let _e1684 = (_e1663 * _e1653);
+                                                    let _e1685 = (_e1666 * _e1650);
+                                                    let _e1690 = (((_e1680 >= _e1681) && (_e1682 >= _e1683)) && (_e1684 >= _e1685));
+                                                    if (_e1690 || (((_e1680 <= _e1681) && (_e1682 <= _e1683)) && (_e1684 <= _e1685))) {
+                                                        let _e1697 = select(-1f, 1f, _e1690);
+                                                        let _e1699 = ((_e1680 - _e1681) * _e1697);
+                                                        let _e1701 = select(0f, _e1699, (_e1699 > 0f));
+                                                        let _e1703 = ((_e1682 - _e1683) * _e1697);
+                                                        let _e1705 = select(0f, _e1703, (_e1703 > 0f));
+                                                        let _e1707 = ((_e1684 - _e1685) * _e1697);
+                                                        let _e1709 = select(0f, _e1707, (_e1707 > 0f));
+                                                        let _e1711 = ((_e1701 + _e1705) + _e1709);
+                                                        if (_e1711 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2865_ = type_22();
+                                                            phi_2866_ = true;
+                                                            phi_2867_ = false;
                                                         } else {
-                                                            let _e1529 = select(_e1478, _e1465, (_e1465 < _e1478));
-                                                            if (select(_e1491, _e1529, (_e1529 < _e1491)) > 0f) {
-                                                                phi_1836_ = true;
+                                                            let _e1714 = select(_e1663, _e1650, (_e1650 < _e1663));
+                                                            if (select(_e1676, _e1714, (_e1714 < _e1676)) > 0f) {
+                                                                phi_2157_ = true;
                                                             } else {
-                                                                let _e1534 = select(_e1478, _e1465, (_e1465 > _e1478));
-                                                                phi_1836_ = (select(_e1491, _e1534, (_e1534 > _e1491)) < 0f);
+                                                                let _e1719 = select(_e1663, _e1650, (_e1650 > _e1663));
+                                                                phi_2157_ = (select(_e1676, _e1719, (_e1719 > _e1676)) < 0f);
                                                             }
-                                                            let _e1539 = phi_1836_;
-                                                            if _e1539 {
-                                                                phi_2541_ = type_22();
-                                                                phi_2542_ = true;
-                                                                phi_2543_ = false;
+                                                            let _e1724 = phi_2157_;
+                                                            if _e1724 {
+                                                                phi_2862_ = type_22();
+                                                                phi_2863_ = true;
+                                                                phi_2864_ = false;
                                                             } else {
-                                                                let _e1541 = select(_e1481, _e1468, (_e1468 < _e1481));
-                                                                if (select(_e1494, _e1541, (_e1541 < _e1494)) > 0f) {
-                                                                    phi_1865_ = true;
+                                                                let _e1726 = select(_e1666, _e1653, (_e1653 < _e1666));
+                                                                if (select(_e1679, _e1726, (_e1726 < _e1679)) > 0f) {
+                                                                    phi_2186_ = true;
                                                                 } else {
-                                                                    let _e1546 = select(_e1481, _e1468, (_e1468 > _e1481));
-                                                                    phi_1865_ = (select(_e1494, _e1546, (_e1546 > _e1494)) < 0f);
+                                                                    let _e1731 = select(_e1666, _e1653, (_e1653 > _e1666));
+                                                                    phi_2186_ = (select(_e1679, _e1731, (_e1731 > _e1679)) < 0f);
                                                                 }
-                                                                let _e1551 = phi_1865_;
-                                                                if _e1551 {
-                                                                    phi_2539_ = type_22();
-                                                                    phi_2540_ = false;
+                                                                let _e1736 = phi_2186_;
+                                                                if _e1736 {
+                                                                    phi_2860_ = type_22();
+                                                                    phi_2861_ = false;
                                                                 } else {
-                                                                    let _e1553 = select(_e1453[1][0], _e1453[0][0], (_e1453[0][0] < _e1453[1][0]));
-                                                                    let _e1557 = select(_e1453[1][0], _e1453[0][0], (_e1453[0][0] > _e1453[1][0]));
-                                                                    let _e1561 = select(_e1453[1][1], _e1453[0][1], (_e1453[0][1] < _e1453[1][1]));
-                                                                    let _e1565 = select(_e1453[1][1], _e1453[0][1], (_e1453[0][1] > _e1453[1][1]));
-                                                                    let _e1569 = select(_e1453[1][2], _e1453[0][2], (_e1453[0][2] < _e1453[1][2]));
-                                                                    let _e1573 = select(_e1453[1][2], _e1453[0][2], (_e1453[0][2] > _e1453[1][2]));
-                                                                    let _e1578 = ((select(_e1453[2][0], _e1553, (_e1553 < _e1453[2][0])) - _e330) * _e335);
-                                                                    let _e1579 = ((select(_e1453[2][0], _e1557, (_e1557 > _e1453[2][0])) - _e331) * _e335);
-                                                                    let _e1582 = ((select(_e1453[2][1], _e1561, (_e1561 < _e1453[2][1])) - _e366) * _e371);
-                                                                    let _e1583 = ((select(_e1453[2][1], _e1565, (_e1565 > _e1453[2][1])) - _e367) * _e371);
-                                                                    let _e1586 = ((select(_e1453[2][2], _e1569, (_e1569 < _e1453[2][2])) - _e402) * _e407);
-                                                                    let _e1587 = ((select(_e1453[2][2], _e1573, (_e1573 > _e1453[2][2])) - _e403) * _e407);
-                                                                    let _e1589 = select(_e1587, _e1586, (_e1586 < _e1587));
-                                                                    let _e1591 = select(_e1587, _e1586, (_e1586 > _e1587));
-                                                                    let _e1593 = select(_e1579, _e1578, (_e1578 < _e1579));
-                                                                    let _e1595 = select(_e1583, _e1582, (_e1582 < _e1583));
-                                                                    let _e1597 = select(_e1595, _e1593, (_e1593 > _e1595));
-                                                                    let _e1599 = select(_e1589, _e1597, (_e1597 > _e1589));
-                                                                    let _e1601 = select(_e1579, _e1578, (_e1578 > _e1579));
-                                                                    let _e1603 = select(_e1583, _e1582, (_e1582 > _e1583));
-                                                                    let _e1605 = select(_e1603, _e1601, (_e1601 < _e1603));
-                                                                    let _e1607 = select(_e1591, _e1605, (_e1605 < _e1591));
-                                                                    let _e1608 = -(_e1589);
-                                                                    let _e1614 = select(_e453, _e1599, (_e1599 > _e453));
-                                                                    if (_e1614 > (_e1607 + (select(_e1608, _e1591, (_e1591 > _e1608)) * 0.0000019073523f))) {
-                                                                        phi_2534_ = type_22();
-                                                                        phi_2535_ = true;
+                                                                    let _e1738 = select(_e1638[1][0], _e1638[0][0], (_e1638[0][0] < _e1638[1][0]));
+                                                                    let _e1742 = select(_e1638[1][0], _e1638[0][0], (_e1638[0][0] > _e1638[1][0]));
+                                                                    let _e1746 = select(_e1638[1][1], _e1638[0][1], (_e1638[0][1] < _e1638[1][1]));
+                                                                    let _e1750 = select(_e1638[1][1], _e1638[0][1], (_e1638[0][1] > _e1638[1][1]));
+                                                                    let _e1754 = select(_e1638[1][2], _e1638[0][2], (_e1638[0][2] < _e1638[1][2]));
+                                                                    let _e1758 = select(_e1638[1][2], _e1638[0][2], (_e1638[0][2] > _e1638[1][2]));
+                                                                    let _e1763 = ((select(_e1638[2][0], _e1738, (_e1738 < _e1638[2][0])) - _e366) * _e371);
+                                                                    let _e1764 = ((select(_e1638[2][0], _e1742, (_e1742 > _e1638[2][0])) - _e367) * _e371);
+                                                                    let _e1767 = ((select(_e1638[2][1], _e1746, (_e1746 < _e1638[2][1])) - _e432) * _e437);
+                                                                    let _e1768 = ((select(_e1638[2][1], _e1750, (_e1750 > _e1638[2][1])) - _e433) * _e437);
+                                                                    let _e1771 = ((select(_e1638[2][2], _e1754, (_e1754 < _e1638[2][2])) - _e498) * _e503);
+                                                                    let _e1772 = ((select(_e1638[2][2], _e1758, (_e1758 > _e1638[2][2])) - _e499) * _e503);
+                                                                    let _e1774 = select(_e1772, _e1771, (_e1771 < _e1772));
+                                                                    let _e1776 = select(_e1772, _e1771, (_e1771 > _e1772));
+                                                                    let _e1778 = select(_e1764, _e1763, (_e1763 < _e1764));
+                                                                    let _e1780 = select(_e1768, _e1767, (_e1767 < _e1768));
+                                                                    let _e1782 = select(_e1780, _e1778, (_e1778 > _e1780));
+                                                                    let _e1784 = select(_e1774, _e1782, (_e1782 > _e1774));
+                                                                    let _e1786 = select(_e1764, _e1763, (_e1763 > _e1764));
+                                                                    let _e1788 = select(_e1768, _e1767, (_e1767 > _e1768));
+                                                                    let _e1790 = select(_e1788, _e1786, (_e1786 < _e1788));
+                                                                    let _e1792 = select(_e1776, _e1790, (_e1790 < _e1776));
+                                                                    let _e1793 = -(_e1774);
+                                                                    let _e1799 = select(_e614, _e1784, (_e1784 > _e614));
+                                                                    if (_e1799 > (_e1792 + (select(_e1793, _e1776, (_e1776 > _e1793)) * 0.0000019073523f))) {
+                                                                        phi_2855_ = type_22();
+                                                                        phi_2856_ = true;
                                                                     } else {
-                                                                        let _e1616 = (_e1614 > _e1018.member.member_1);
-                                                                        if _e1616 {
-                                                                            phi_2533_ = type_22();
+                                                                        let _e1801 = (_e1799 > _e1185.member.member_1);
+                                                                        if _e1801 {
+                                                                            phi_2854_ = type_22();
                                                                         } else {
-                                                                            let _e1617 = vec3<f32>(_e1453[0][0], _e1453[0][1], _e1453[0][2]);
-                                                                            let _e1618 = vec3<f32>(_e1453[1][0], _e1453[1][1], _e1453[1][2]);
-                                                                            let _e1619 = vec3<f32>(_e1453[2][0], _e1453[2][1], _e1453[2][2]);
-                                                                            let _e1620 = (_e1453[1][0] - _e1453[0][0]);
-                                                                            let _e1621 = (_e1453[1][1] - _e1453[0][1]);
-                                                                            let _e1622 = (_e1453[1][2] - _e1453[0][2]);
-                                                                            let _e1623 = vec3<f32>(_e1620, _e1621, _e1622);
-                                                                            let _e1624 = (_e1453[2][0] - _e1453[1][0]);
-                                                                            let _e1625 = (_e1453[2][1] - _e1453[1][1]);
-                                                                            let _e1626 = (_e1453[2][2] - _e1453[1][2]);
-                                                                            let _e1627 = vec3<f32>(_e1624, _e1625, _e1626);
-                                                                            let _e1628 = (_e1453[0][0] - _e1453[2][0]);
-                                                                            let _e1629 = (_e1453[0][1] - _e1453[2][1]);
-                                                                            let _e1630 = (_e1453[0][2] - _e1453[2][2]);
-                                                                            let _e1631 = vec3<f32>(_e1628, _e1629, _e1630);
-                                                                            let _e1634 = bitcast<f32>((bitcast<u32>(_e1620) & 2147483647u));
-                                                                            let _e1637 = bitcast<f32>((bitcast<u32>(_e1621) & 2147483647u));
-                                                                            let _e1639 = select(_e1637, _e1634, (_e1634 > _e1637));
-                                                                            let _e1642 = bitcast<f32>((bitcast<u32>(_e1622) & 2147483647u));
-                                                                            let _e1644 = select(_e1642, _e1639, (_e1639 > _e1642));
-                                                                            let _e1647 = bitcast<f32>((bitcast<u32>(_e1624) & 2147483647u));
-                                                                            let _e1650 = bitcast<f32>((bitcast<u32>(_e1625) & 2147483647u));
-                                                                            let _e1652 = select(_e1650, _e1647, (_e1647 > _e1650));
-                                                                            let _e1655 = bitcast<f32>((bitcast<u32>(_e1626) & 2147483647u));
-                                                                            let _e1657 = select(_e1655, _e1652, (_e1652 > _e1655));
-                                                                            let _e1660 = bitcast<f32>((bitcast<u32>(_e1628) & 2147483647u));
-                                                                            let _e1663 = bitcast<f32>((bitcast<u32>(_e1629) & 2147483647u));
-                                                                            let _e1665 = select(_e1663, _e1660, (_e1660 > _e1663));
-                                                                            let _e1668 = bitcast<f32>((bitcast<u32>(_e1630) & 2147483647u));
-                                                                            let _e1670 = select(_e1668, _e1665, (_e1665 > _e1668));
-                                                                            let _e1672 = select(_e1657, _e1644, (_e1644 > _e1657));
-                                                                            let _e1674 = select(_e1670, _e1672, (_e1672 > _e1670));
-                                                                            if (_e1644 == _e1674) {
-                                                                                phi_2266_ = _e1481;
-                                                                                phi_2267_ = _e1478;
-                                                                                phi_2268_ = _e1468;
-                                                                                phi_2269_ = _e1465;
-                                                                                phi_2270_ = _e1617;
-                                                                                phi_2271_ = _e1631;
-                                                                                phi_2272_ = _e1627;
-                                                                                phi_2273_ = _e1623;
+                                                                            let _e1802 = vec3<f32>(_e1638[0][0], _e1638[0][1], _e1638[0][2]);
+                                                                            let _e1803 = vec3<f32>(_e1638[1][0], _e1638[1][1], _e1638[1][2]);
+                                                                            let _e1804 = vec3<f32>(_e1638[2][0], _e1638[2][1], _e1638[2][2]);
+                                                                            let _e1805 = (_e1638[1][0] - _e1638[0][0]);
+                                                                            let _e1806 = (_e1638[1][1] - _e1638[0][1]);
+                                                                            let _e1807 = (_e1638[1][2] - _e1638[0][2]);
+                                                                            let _e1808 = vec3<f32>(_e1805, _e1806, _e1807);
+                                                                            let _e1809 = (_e1638[2][0] - _e1638[1][0]);
+                                                                            let _e1810 = (_e1638[2][1] - _e1638[1][1]);
+                                                                            let _e1811 = (_e1638[2][2] - _e1638[1][2]);
+                                                                            let _e1812 = vec3<f32>(_e1809, _e1810, _e1811);
+                                                                            let _e1813 = (_e1638[0][0] - _e1638[2][0]);
+                                                                            let _e1814 = (_e1638[0][1] - _e1638[2][1]);
+                                                                            let _e1815 = (_e1638[0][2] - _e1638[2][2]);
+                                                                            let _e1816 = vec3<f32>(_e1813, _e1814, _e1815);
+                                                                            let _e1819 = bitcast<f32>((bitcast<u32>(_e1805) & 2147483647u));
+                                                                            let _e1822 = bitcast<f32>((bitcast<u32>(_e1806) & 2147483647u));
+                                                                            let _e1824 = select(_e1822, _e1819, (_e1819 > _e1822));
+                                                                            let _e1827 = bitcast<f32>((bitcast<u32>(_e1807) & 2147483647u));
+                                                                            let _e1829 = select(_e1827, _e1824, (_e1824 > _e1827));
+                                                                            let _e1832 = bitcast<f32>((bitcast<u32>(_e1809) & 2147483647u));
+                                                                            let _e1835 = bitcast<f32>((bitcast<u32>(_e1810) & 2147483647u));
+                                                                            let _e1837 = select(_e1835, _e1832, (_e1832 > _e1835));
+                                                                            let _e1840 = bitcast<f32>((bitcast<u32>(_e1811) & 2147483647u));
+                                                                            let _e1842 = select(_e1840, _e1837, (_e1837 > _e1840));
+                                                                            let _e1845 = bitcast<f32>((bitcast<u32>(_e1813) & 2147483647u));
+                                                                            let _e1848 = bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u));
+                                                                            let _e1850 = select(_e1848, _e1845, (_e1845 > _e1848));
+                                                                            let _e1853 = bitcast<f32>((bitcast<u32>(_e1815) & 2147483647u));
+                                                                            let _e1855 = select(_e1853, _e1850, (_e1850 > _e1853));
+                                                                            let _e1857 = select(_e1842, _e1829, (_e1829 > _e1842));
+                                                                            let _e1859 = select(_e1855, _e1857, (_e1857 > _e1855));
+                                                                            if (_e1829 == _e1859) {
+                                                                                phi_2587_ = _e1666;
+                                                                                phi_2588_ = _e1663;
+                                                                                phi_2589_ = _e1653;
+                                                                                phi_2590_ = _e1650;
+                                                                                phi_2591_ = _e1802;
+                                                                                phi_2592_ = _e1816;
+                                                                                phi_2593_ = _e1812;
+                                                                                phi_2594_ = _e1808;
                                                                             } else {
-                                                                                let _e1676 = (_e1657 == _e1674);
-                                                                                let _e1681 = vec3(_e1676);
-                                                                                phi_2266_ = select(_e1468, _e1494, _e1676);
-                                                                                phi_2267_ = select(_e1465, _e1491, _e1676);
-                                                                                phi_2268_ = select(_e1494, _e1481, _e1676);
-                                                                                phi_2269_ = select(_e1491, _e1478, _e1676);
-                                                                                phi_2270_ = select(_e1619, _e1618, _e1681);
-                                                                                phi_2271_ = select(_e1627, _e1623, _e1681);
-                                                                                phi_2272_ = select(_e1623, _e1631, _e1681);
-                                                                                phi_2273_ = select(_e1631, _e1627, _e1681);
+                                                                                let _e1861 = (_e1842 == _e1859);
+                                                                                let _e1866 = vec3(_e1861);
+                                                                                phi_2587_ = select(_e1653, _e1679, _e1861);
+                                                                                phi_2588_ = select(_e1650, _e1676, _e1861);
+                                                                                phi_2589_ = select(_e1679, _e1666, _e1861);
+                                                                                phi_2590_ = select(_e1676, _e1663, _e1861);
+                                                                                phi_2591_ = select(_e1804, _e1803, _e1866);
+                                                                                phi_2592_ = select(_e1812, _e1808, _e1866);
+                                                                                phi_2593_ = select(_e1808, _e1816, _e1866);
+                                                                                phi_2594_ = select(_e1816, _e1812, _e1866);
                                                                             }
-                                                                            let _e1687 = phi_2266_;
-                                                                            let _e1689 = phi_2267_;
-                                                                            let _e1691 = phi_2268_;
-                                                                            let _e1693 = phi_2269_;
-                                                                            let _e1695 = phi_2270_;
-                                                                            let _e1697 = phi_2271_;
-                                                                            let _e1699 = phi_2272_;
-                                                                            let _e1701 = phi_2273_;
-                                                                            let _e1708 = ((_e1699.y * _e1697.z) - (_e1697.y * _e1699.z));
-                                                                            let _e1713 = ((_e1699.z * _e1697.x) - (_e1697.z * _e1699.x));
-                                                                            let _e1716 = ((_e1699.x * _e1697.y) - (_e1697.x * _e1699.y));
-                                                                            if (_e1516 >= _e1520) {
-                                                                                phi_2304_ = select(true, false, (_e1516 >= _e1524));
+                                                                            let _e1872 = phi_2587_;
+                                                                            let _e1874 = phi_2588_;
+                                                                            let _e1876 = phi_2589_;
+                                                                            let _e1878 = phi_2590_;
+                                                                            let _e1880 = phi_2591_;
+                                                                            let _e1882 = phi_2592_;
+                                                                            let _e1884 = phi_2593_;
+                                                                            let _e1886 = phi_2594_;
+                                                                            let _e1893 = ((_e1884.y * _e1882.z) - (_e1882.y * _e1884.z));
+                                                                            let _e1898 = ((_e1884.z * _e1882.x) - (_e1882.z * _e1884.x));
+                                                                            let _e1901 = ((_e1884.x * _e1882.y) - (_e1882.x * _e1884.y));
+                                                                            if (_e1701 >= _e1705) {
+                                                                                phi_2625_ = select(true, false, (_e1701 >= _e1709));
                                                                             } else {
-                                                                                phi_2304_ = true;
+                                                                                phi_2625_ = true;
                                                                             }
-                                                                            let _e1721 = phi_2304_;
-                                                                            if _e1721 {
-                                                                                phi_2313_ = select(_e1619, _e1618, vec3((_e1520 >= _e1524)));
+                                                                            let _e1906 = phi_2625_;
+                                                                            if _e1906 {
+                                                                                phi_2634_ = select(_e1804, _e1803, vec3((_e1705 >= _e1709)));
                                                                             } else {
-                                                                                phi_2313_ = _e1617;
+                                                                                phi_2634_ = _e1802;
                                                                             }
-                                                                            let _e1726 = phi_2313_;
-                                                                            let _e1737 = (((_e1708 * (_e1726.x - _e307)) + (_e1713 * (_e1726.y - _e344))) + (_e1716 * (_e1726.z - _e380)));
-                                                                            let _e1742 = (((_e1708 * _e332) + (_e1713 * _e368)) + (_e1716 * _e404));
-                                                                            let _e1743 = (_e1689 - _e1693);
-                                                                            let _e1744 = (_e1687 - _e1691);
-                                                                            let _e1752 = (-(((_e1693 * _e1743) + (_e1691 * _e1744))) / ((_e1743 * _e1743) + (_e1744 * _e1744)));
-                                                                            let _e1754 = select(1f, _e1752, (_e1752 < 1f));
-                                                                            let _e1756 = select(0f, _e1754, (_e1754 > 0f));
-                                                                            let _e1769 = ((_e1695.x + (_e1701.x * _e1756)) - _e307);
-                                                                            let _e1770 = ((_e1695.y + (_e1701.y * _e1756)) - _e344);
-                                                                            let _e1771 = ((_e1695.z + (_e1701.z * _e1756)) - _e380);
-                                                                            let _e1772 = (_e1771 / _e404);
-                                                                            let _e1784 = bitcast<f32>((bitcast<u32>(_e1769) & 2147483647u));
-                                                                            let _e1787 = bitcast<f32>((bitcast<u32>(_e1770) & 2147483647u));
-                                                                            let _e1789 = select(_e1787, _e1784, (_e1784 > _e1787));
-                                                                            let _e1792 = bitcast<f32>((bitcast<u32>(_e1771) & 2147483647u));
-                                                                            let _e1794 = select(_e1792, _e1789, (_e1789 > _e1792));
-                                                                            let _e1800 = bitcast<f32>((bitcast<u32>(_e1708) & 2147483647u));
-                                                                            let _e1803 = bitcast<f32>((bitcast<u32>(_e1713) & 2147483647u));
-                                                                            let _e1805 = select(_e1803, _e1800, (_e1800 > _e1803));
-                                                                            let _e1808 = bitcast<f32>((bitcast<u32>(_e1716) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1708 * _e1769) + (_e1713 * _e1770)) + (_e1716 * _e1771)) - _e1737)) & 2147483647u)) <= ((0.0000009536743f * select(_e1674, _e1794, (_e1794 > _e1674))) * select(_e1808, _e1805, (_e1805 > _e1808)))) {
-                                                                                let _e1818 = bitcast<f32>((bitcast<u32>(_e1699.x) & 2147483647u));
-                                                                                let _e1821 = bitcast<f32>((bitcast<u32>(_e1699.y) & 2147483647u));
-                                                                                let _e1823 = select(_e1821, _e1818, (_e1818 > _e1821));
-                                                                                let _e1826 = bitcast<f32>((bitcast<u32>(_e1699.z) & 2147483647u));
-                                                                                let _e1832 = bitcast<f32>((bitcast<u32>(_e1697.x) & 2147483647u));
-                                                                                let _e1835 = bitcast<f32>((bitcast<u32>(_e1697.y) & 2147483647u));
-                                                                                let _e1837 = select(_e1835, _e1832, (_e1832 > _e1835));
-                                                                                let _e1840 = bitcast<f32>((bitcast<u32>(_e1697.z) & 2147483647u));
-                                                                                let _e1844 = (bitcast<f32>((bitcast<u32>(_e1742) & 2147483647u)) > ((0.0000038146973f * select(_e1826, _e1823, (_e1823 > _e1826))) * select(_e1840, _e1837, (_e1837 > _e1840))));
-                                                                                if _e1844 {
-                                                                                    phi_2478_ = (_e1737 / _e1742);
+                                                                            let _e1911 = phi_2634_;
+                                                                            let _e1922 = (((_e1893 * (_e1911.x - _e328)) + (_e1898 * (_e1911.y - _e395))) + (_e1901 * (_e1911.z - _e461)));
+                                                                            let _e1927 = (((_e1893 * _e368) + (_e1898 * _e434)) + (_e1901 * _e500));
+                                                                            let _e1928 = (_e1874 - _e1878);
+                                                                            let _e1929 = (_e1872 - _e1876);
+                                                                            let _e1937 = (-(((_e1878 * _e1928) + (_e1876 * _e1929))) / ((_e1928 * _e1928) + (_e1929 * _e1929)));
+                                                                            let _e1939 = select(1f, _e1937, (_e1937 < 1f));
+                                                                            let _e1941 = select(0f, _e1939, (_e1939 > 0f));
+                                                                            let _e1954 = ((_e1880.x + (_e1886.x * _e1941)) - _e328);
+                                                                            let _e1955 = ((_e1880.y + (_e1886.y * _e1941)) - _e395);
+                                                                            let _e1956 = ((_e1880.z + (_e1886.z * _e1941)) - _e461);
+                                                                            let _e1957 = (_e1956 / _e500);
+                                                                            let _e1969 = bitcast<f32>((bitcast<u32>(_e1954) & 2147483647u));
+                                                                            let _e1972 = bitcast<f32>((bitcast<u32>(_e1955) & 2147483647u));
+                                                                            let _e1974 = select(_e1972, _e1969, (_e1969 > _e1972));
+                                                                            let _e1977 = bitcast<f32>((bitcast<u32>(_e1956) & 2147483647u));
+                                                                            let _e1979 = select(_e1977, _e1974, (_e1974 > _e1977));
+                                                                            let _e1985 = bitcast<f32>((bitcast<u32>(_e1893) & 2147483647u));
+                                                                            let _e1988 = bitcast<f32>((bitcast<u32>(_e1898) & 2147483647u));
+                                                                            let _e1990 = select(_e1988, _e1985, (_e1985 > _e1988));
+                                                                            let _e1993 = bitcast<f32>((bitcast<u32>(_e1901) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1893 * _e1954) + (_e1898 * _e1955)) + (_e1901 * _e1956)) - _e1922)) & 2147483647u)) <= ((0.0000009536743f * select(_e1859, _e1979, (_e1979 > _e1859))) * select(_e1993, _e1990, (_e1990 > _e1993)))) {
+                                                                                let _e2003 = bitcast<f32>((bitcast<u32>(_e1884.x) & 2147483647u));
+                                                                                let _e2006 = bitcast<f32>((bitcast<u32>(_e1884.y) & 2147483647u));
+                                                                                let _e2008 = select(_e2006, _e2003, (_e2003 > _e2006));
+                                                                                let _e2011 = bitcast<f32>((bitcast<u32>(_e1884.z) & 2147483647u));
+                                                                                let _e2017 = bitcast<f32>((bitcast<u32>(_e1882.x) & 2147483647u));
+                                                                                let _e2020 = bitcast<f32>((bitcast<u32>(_e1882.y) & 2147483647u));
+                                                                                let _e2022 = select(_e2020, _e2017, (_e2017 > _e2020));
+                                                                                let _e2025 = bitcast<f32>((bitcast<u32>(_e1882.z) & 2147483647u));
+                                                                                let _e2029 = (bitcast<f32>((bitcast<u32>(_e1927) & 2147483647u)) > ((0.0000038146973f * select(_e2011, _e2008, (_e2008 > _e2011))) * select(_e2025, _e2022, (_e2022 > _e2025))));
+                                                                                if _e2029 {
+                                                                                    phi_2799_ = (_e1922 / _e1927);
                                                                                 } else {
-                                                                                    phi_2478_ = f32();
+                                                                                    phi_2799_ = f32();
                                                                                 }
-                                                                                let _e1847 = phi_2478_;
-                                                                                phi_2480_ = _e1847;
-                                                                                phi_2481_ = select(true, false, _e1844);
+                                                                                let _e2032 = phi_2799_;
+                                                                                phi_2801_ = _e2032;
+                                                                                phi_2802_ = select(true, false, _e2029);
                                                                             } else {
-                                                                                phi_2480_ = f32();
-                                                                                phi_2481_ = true;
+                                                                                phi_2801_ = f32();
+                                                                                phi_2802_ = true;
                                                                             }
-                                                                            let _e1850 = phi_2480_;
-                                                                            let _e1852 = phi_2481_;
-                                                                            if _e1852 {
-                                                                                let _e1860 = (((_e1708 * (_e1769 - (_e332 * _e1772))) + (_e1713 * (_e1770 - (_e368 * _e1772)))) / _e1742);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1860) & 2147483647u)) <= _e1674) {
-                                                                                    phi_2501_ = (_e1772 + _e1860);
+                                                                            let _e2035 = phi_2801_;
+                                                                            let _e2037 = phi_2802_;
+                                                                            if _e2037 {
+                                                                                let _e2045 = (((_e1893 * (_e1954 - (_e368 * _e1957))) + (_e1898 * (_e1955 - (_e434 * _e1957)))) / _e1927);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e2045) & 2147483647u)) <= _e1859) {
+                                                                                    phi_2822_ = (_e1957 + _e2045);
                                                                                 } else {
-                                                                                    phi_2501_ = _e1772;
+                                                                                    phi_2822_ = _e1957;
                                                                                 }
-                                                                                let _e1867 = phi_2501_;
-                                                                                phi_2502_ = _e1867;
+                                                                                let _e2052 = phi_2822_;
+                                                                                phi_2823_ = _e2052;
                                                                             } else {
-                                                                                phi_2502_ = _e1850;
+                                                                                phi_2823_ = _e2035;
                                                                             }
-                                                                            let _e1869 = phi_2502_;
-                                                                            let _e1871 = select(_e1607, _e1869, (_e1869 < _e1607));
-                                                                            let _e1873 = select(_e1599, _e1871, (_e1871 > _e1599));
-                                                                            if (_e1873 >= _e453) {
-                                                                                let _e1875 = (_e1873 <= _e1018.member.member_1);
-                                                                                if _e1875 {
-                                                                                    let _e1876 = (1f / _e1526);
-                                                                                    phi_2525_ = type_22(_e1873, (_e1520 * _e1876), (_e1524 * _e1876), _e1084);
+                                                                            let _e2054 = phi_2823_;
+                                                                            let _e2056 = select(_e1792, _e2054, (_e2054 < _e1792));
+                                                                            let _e2058 = select(_e1784, _e2056, (_e2056 > _e1784));
+                                                                            if (_e2058 >= _e614) {
+                                                                                let _e2060 = (_e2058 <= _e1185.member.member_1);
+                                                                                if _e2060 {
+                                                                                    let _e2061 = (1f / _e1711);
+                                                                                    phi_2846_ = type_22(_e2058, (_e1705 * _e2061), (_e1709 * _e2061), _e1251);
                                                                                 } else {
-                                                                                    phi_2525_ = type_22();
+                                                                                    phi_2846_ = type_22();
                                                                                 }
-                                                                                let _e1881 = phi_2525_;
-                                                                                phi_2527_ = _e1881;
-                                                                                phi_2528_ = select(true, false, _e1875);
+                                                                                let _e2066 = phi_2846_;
+                                                                                phi_2848_ = _e2066;
+                                                                                phi_2849_ = select(true, false, _e2060);
                                                                             } else {
-                                                                                phi_2527_ = type_22();
-                                                                                phi_2528_ = true;
+                                                                                phi_2848_ = type_22();
+                                                                                phi_2849_ = true;
                                                                             }
-                                                                            let _e1884 = phi_2527_;
-                                                                            let _e1886 = phi_2528_;
-                                                                            if _e1886 {
-                                                                                phi_2532_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e2069 = phi_2848_;
+                                                                            let _e2071 = phi_2849_;
+                                                                            if _e2071 {
+                                                                                phi_2853_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2532_ = _e1884;
+                                                                                phi_2853_ = _e2069;
                                                                             }
-                                                                            let _e1888 = phi_2532_;
-                                                                            phi_2533_ = _e1888;
+                                                                            let _e2073 = phi_2853_;
+                                                                            phi_2854_ = _e2073;
                                                                         }
-                                                                        let _e1890 = phi_2533_;
-                                                                        phi_2534_ = _e1890;
-                                                                        phi_2535_ = _e1616;
+                                                                        let _e2075 = phi_2854_;
+                                                                        phi_2855_ = _e2075;
+                                                                        phi_2856_ = _e1801;
                                                                     }
-                                                                    let _e1892 = phi_2534_;
-                                                                    let _e1894 = phi_2535_;
-                                                                    phi_2539_ = _e1892;
-                                                                    phi_2540_ = _e1894;
+                                                                    let _e2077 = phi_2855_;
+                                                                    let _e2079 = phi_2856_;
+                                                                    phi_2860_ = _e2077;
+                                                                    phi_2861_ = _e2079;
                                                                 }
-                                                                let _e1896 = phi_2539_;
-                                                                let _e1898 = phi_2540_;
-                                                                phi_2541_ = _e1896;
-                                                                phi_2542_ = _e1551;
-                                                                phi_2543_ = _e1898;
+                                                                let _e2081 = phi_2860_;
+                                                                let _e2083 = phi_2861_;
+                                                                phi_2862_ = _e2081;
+                                                                phi_2863_ = _e1736;
+                                                                phi_2864_ = _e2083;
                                                             }
-                                                            let _e1900 = phi_2541_;
-                                                            let _e1902 = phi_2542_;
-                                                            let _e1904 = phi_2543_;
-                                                            phi_2544_ = _e1900;
-                                                            phi_2545_ = _e1902;
-                                                            phi_2546_ = _e1904;
+                                                            let _e2085 = phi_2862_;
+                                                            let _e2087 = phi_2863_;
+                                                            let _e2089 = phi_2864_;
+                                                            phi_2865_ = _e2085;
+                                                            phi_2866_ = _e2087;
+                                                            phi_2867_ = _e2089;
                                                         }
-                                                        let _e1906 = phi_2544_;
-                                                        let _e1908 = phi_2545_;
-                                                        let _e1910 = phi_2546_;
-                                                        phi_2554_ = _e1906;
-                                                        phi_2555_ = select(_e1910, true, _e1908);
+                                                        let _e2091 = phi_2865_;
+                                                        let _e2093 = phi_2866_;
+                                                        let _e2095 = phi_2867_;
+                                                        phi_2875_ = _e2091;
+                                                        phi_2876_ = select(_e2095, true, _e2093);
                                                     } else {
-                                                        phi_2554_ = type_22();
-                                                        phi_2555_ = true;
+                                                        phi_2875_ = type_22();
+                                                        phi_2876_ = true;
                                                     }
-                                                    let _e1913 = phi_2554_;
-                                                    let _e1915 = phi_2555_;
-                                                    if _e1915 {
-                                                        phi_2559_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e2098 = phi_2875_;
+                                                    let _e2100 = phi_2876_;
+                                                    if _e2100 {
+                                                        phi_2880_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2559_ = _e1913;
+                                                        phi_2880_ = _e2098;
                                                     }
-                                                    let _e1917 = phi_2559_;
-                                                    if (_e1917.member_3 != 4294967295u) {
-                                                        if (_e1084 != _e459) {
-                                                            if (_e1917.member < _e1018.member.member.member) {
-                                                                phi_2585_ = true;
+                                                    let _e2102 = phi_2880_;
+                                                    if (_e2102.member_3 != 4294967295u) {
+                                                        if (_e1251 != _e620) {
+                                                            if (_e2102.member < _e1185.member.member.member) {
+                                                                phi_2906_ = true;
                                                             } else {
-                                                                if (_e1917.member == _e1018.member.member.member) {
-                                                                    phi_2584_ = (_e1917.member_3 < _e1018.member.member.member_3);
+                                                                if (_e2102.member == _e1185.member.member.member) {
+                                                                    phi_2905_ = (_e2102.member_3 < _e1185.member.member.member_3);
                                                                 } else {
-                                                                    phi_2584_ = false;
+                                                                    phi_2905_ = false;
                                                                 }
-                                                                let _e1932 = phi_2584_;
-                                                                phi_2585_ = _e1932;
+                                                                let _e2117 = phi_2905_;
+                                                                phi_2906_ = _e2117;
                                                             }
-                                                            let _e1934 = phi_2585_;
-                                                            if _e1934 {
-                                                                phi_2592_ = type_42(type_38(_e1917, _e1917.member), _e1045.member_1, _e1045.member_2);
+                                                            let _e2119 = phi_2906_;
+                                                            if _e2119 {
+                                                                phi_2913_ = type_42(type_38(_e2102, _e2102.member), _e1212.member_1, _e1212.member_2);
                                                             } else {
-                                                                phi_2592_ = _e1045;
+                                                                phi_2913_ = _e1212;
                                                             }
-                                                            let _e1941 = phi_2592_;
-                                                            phi_2593_ = _e1941;
+                                                            let _e2126 = phi_2913_;
+                                                            phi_2914_ = _e2126;
                                                         } else {
-                                                            phi_2593_ = _e1045;
+                                                            phi_2914_ = _e1212;
                                                         }
-                                                        let _e1943 = phi_2593_;
-                                                        phi_2594_ = _e1943;
+                                                        let _e2128 = phi_2914_;
+                                                        phi_2915_ = _e2128;
                                                     } else {
-                                                        phi_2594_ = _e1045;
+                                                        phi_2915_ = _e1212;
                                                     }
-                                                    let _e1945 = phi_2594_;
-                                                    phi_998_ = _e1945;
+                                                    let _e2130 = phi_2915_;
+                                                    phi_1301_ = _e2130;
                                                 } else {
-                                                    phi_998_ = type_42();
+                                                    phi_1301_ = type_42();
                                                 }
-                                                let _e1947 = phi_998_;
+                                                let _e2132 = phi_1301_;
                                                 continue;
                                                 continuing {
-                                                    phi_997_ = _e1947;
-                                                    phi_1000_ = _e1033;
-                                                    phi_4214_ = _e500;
-                                                    break if !(_e1039);
+                                                    phi_1300_ = _e2132;
+                                                    phi_1303_ = _e1200;
+                                                    phi_4641_ = _e661;
+                                                    break if !(_e1206);
                                                 }
                                             }
-                                            let _e1950 = phi_4214_;
-                                            phi_4403_ = _e1950;
-                                            if _e1950 {
+                                            let _e2135 = phi_4641_;
+                                            phi_4848_ = _e2135;
+                                            if _e2135 {
                                                 break;
                                             }
-                                            phi_4407_ = _e1950;
-                                            let _e2220 = local_12;
-                                            phi_3837_ = _e2220;
-                                            phi_3838_ = _e542;
-                                            phi_3839_ = false;
-                                            phi_3840_ = _e546;
+                                            phi_4852_ = _e2135;
+                                            let _e2504 = local_12;
+                                            phi_4158_ = _e2504;
+                                            phi_4159_ = _e703;
+                                            phi_4160_ = false;
+                                            phi_4161_ = _e707;
                                         } else {
-                                            if (_e542.member_1 >= _e94) {
-                                                phi_3393_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e703.member_1 >= _e100) {
+                                                phi_3714_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e542.member_1 < _e94) {
+                                                if (_e703.member_1 < _e100) {
                                                 } else {
-                                                    phi_4403_ = true;
+                                                    phi_4848_ = true;
                                                     break;
                                                 }
-                                                let _e565 = ((1u + _e275) % 4u);
-                                                if (_e565 < 4u) {
+                                                let _e726 = ((1u + _e281) % 4u);
+                                                if (_e726 < 4u) {
                                                 } else {
-                                                    phi_4403_ = true;
+                                                    phi_4848_ = true;
                                                     break;
                                                 }
-                                                let _e570 = global_3.member[_e542.member_1][_e565];
-                                                let _e572 = (_e570 >> bitcast<u32>(11u));
-                                                let _e574 = ((1u + _e274) % 4u);
-                                                if (_e574 < 4u) {
+                                                let _e731 = global_3.member[_e703.member_1][_e726];
+                                                let _e733 = (_e731 >> bitcast<u32>(11u));
+                                                let _e735 = ((1u + _e280) % 4u);
+                                                if (_e735 < 4u) {
                                                 } else {
-                                                    phi_4403_ = true;
+                                                    phi_4848_ = true;
                                                     break;
                                                 }
-                                                let _e579 = global_3.member[_e542.member_1][_e574];
-                                                let _e581 = (_e579 >> bitcast<u32>(11u));
-                                                let _e583 = ((1u + _e276) % 4u);
-                                                if (_e583 < 4u) {
+                                                let _e740 = global_3.member[_e703.member_1][_e735];
+                                                let _e742 = (_e740 >> bitcast<u32>(11u));
+                                                let _e744 = ((1u + _e282) % 4u);
+                                                if (_e744 < 4u) {
                                                 } else {
-                                                    phi_4403_ = true;
+                                                    phi_4848_ = true;
                                                     break;
                                                 }
-                                                let _e588 = global_3.member[_e542.member_1][_e583];
-                                                let _e590 = (_e588 >> bitcast<u32>(11u));
-                                                let _e613 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.x - _e542.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e614 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.y - _e542.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e615 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.z - _e542.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e617 = select(_e149, _e613, (_e613 > _e149));
-                                                let _e619 = select(_e149, _e614, (_e614 > _e149));
-                                                let _e621 = select(_e149, _e615, (_e615 > _e149));
-                                                let _e646 = bitcast<u32>((f32(bitcast<i32>((_e570 & 1023u))) * _e617));
-                                                let _e651 = (bitcast<i32>((_e570 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e654 = bitcast<f32>((_e646 & bitcast<u32>(_e651)));
-                                                let _e655 = bitcast<u32>((f32(bitcast<i32>((_e579 & 1023u))) * _e619));
-                                                let _e660 = (bitcast<i32>((_e579 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e663 = bitcast<f32>((_e655 & bitcast<u32>(_e660)));
-                                                let _e664 = bitcast<u32>((f32(bitcast<i32>((_e588 & 1023u))) * _e621));
-                                                let _e669 = (bitcast<i32>((_e588 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e672 = bitcast<f32>((_e664 & bitcast<u32>(_e669)));
-                                                let _e676 = bitcast<f32>((_e646 & bitcast<u32>(~(_e651))));
-                                                let _e680 = bitcast<f32>((_e655 & bitcast<u32>(~(_e660))));
-                                                let _e684 = bitcast<f32>((_e664 & bitcast<u32>(~(_e669))));
-                                                let _e685 = bitcast<u32>((f32(bitcast<i32>((_e572 & 1023u))) * _e617));
-                                                let _e690 = (bitcast<i32>((_e572 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e693 = bitcast<f32>((_e685 & bitcast<u32>(_e690)));
-                                                let _e694 = bitcast<u32>((f32(bitcast<i32>((_e581 & 1023u))) * _e619));
-                                                let _e699 = (bitcast<i32>((_e581 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e702 = bitcast<f32>((_e694 & bitcast<u32>(_e699)));
-                                                let _e703 = bitcast<u32>((f32(bitcast<i32>((_e590 & 1023u))) * _e621));
-                                                let _e708 = (bitcast<i32>((_e590 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e711 = bitcast<f32>((_e703 & bitcast<u32>(_e708)));
-                                                let _e715 = bitcast<f32>((_e685 & bitcast<u32>(~(_e690))));
-                                                let _e719 = bitcast<f32>((_e694 & bitcast<u32>(~(_e699))));
-                                                let _e723 = bitcast<f32>((_e703 & bitcast<u32>(~(_e708))));
-                                                let _e724 = (_e542.member.member.x + _e654);
-                                                let _e725 = (_e542.member.member.y + _e663);
-                                                let _e726 = (_e542.member.member.z + _e672);
-                                                let _e729 = (_e542.member.member_1.x - _e693);
-                                                let _e730 = (_e542.member.member_1.y - _e702);
-                                                let _e731 = (_e542.member.member_1.z - _e711);
-                                                let _e750 = (_e729 - _e724);
-                                                let _e751 = (_e730 - _e725);
-                                                let _e752 = (_e731 - _e726);
-                                                let _e754 = select(_e751, _e750, (_e750 > _e751));
-                                                let _e756 = select(_e752, _e754, (_e754 > _e752));
-                                                if (_e756 < (1024f * _e149)) {
-                                                    phi_3094_ = 0u;
+                                                let _e749 = global_3.member[_e703.member_1][_e744];
+                                                let _e751 = (_e749 >> bitcast<u32>(11u));
+                                                let _e774 = (bitcast<f32>((bitcast<u32>((_e703.member.member_1.x - _e703.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e775 = (bitcast<f32>((bitcast<u32>((_e703.member.member_1.y - _e703.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e776 = (bitcast<f32>((bitcast<u32>((_e703.member.member_1.z - _e703.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e778 = select(_e155, _e774, (_e774 > _e155));
+                                                let _e780 = select(_e155, _e775, (_e775 > _e155));
+                                                let _e782 = select(_e155, _e776, (_e776 > _e155));
+                                                let _e813 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e731 & 1023u))) - 8388608f) * _e778));
+                                                let _e818 = (bitcast<i32>((_e731 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e821 = bitcast<f32>((_e813 & bitcast<u32>(_e818)));
+                                                let _e822 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 1023u))) - 8388608f) * _e780));
+                                                let _e827 = (bitcast<i32>((_e740 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e830 = bitcast<f32>((_e822 & bitcast<u32>(_e827)));
+                                                let _e831 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e749 & 1023u))) - 8388608f) * _e782));
+                                                let _e836 = (bitcast<i32>((_e749 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e839 = bitcast<f32>((_e831 & bitcast<u32>(_e836)));
+                                                let _e843 = bitcast<f32>((_e813 & bitcast<u32>(~(_e818))));
+                                                let _e847 = bitcast<f32>((_e822 & bitcast<u32>(~(_e827))));
+                                                let _e851 = bitcast<f32>((_e831 & bitcast<u32>(~(_e836))));
+                                                let _e852 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 1023u))) - 8388608f) * _e778));
+                                                let _e857 = (bitcast<i32>((_e733 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e860 = bitcast<f32>((_e852 & bitcast<u32>(_e857)));
+                                                let _e861 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e742 & 1023u))) - 8388608f) * _e780));
+                                                let _e866 = (bitcast<i32>((_e742 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e869 = bitcast<f32>((_e861 & bitcast<u32>(_e866)));
+                                                let _e870 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e751 & 1023u))) - 8388608f) * _e782));
+                                                let _e875 = (bitcast<i32>((_e751 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e878 = bitcast<f32>((_e870 & bitcast<u32>(_e875)));
+                                                let _e882 = bitcast<f32>((_e852 & bitcast<u32>(~(_e857))));
+                                                let _e886 = bitcast<f32>((_e861 & bitcast<u32>(~(_e866))));
+                                                let _e890 = bitcast<f32>((_e870 & bitcast<u32>(~(_e875))));
+                                                let _e891 = (_e703.member.member.x + _e821);
+                                                let _e892 = (_e703.member.member.y + _e830);
+                                                let _e893 = (_e703.member.member.z + _e839);
+                                                let _e896 = (_e703.member.member_1.x - _e860);
+                                                let _e897 = (_e703.member.member_1.y - _e869);
+                                                let _e898 = (_e703.member.member_1.z - _e878);
+                                                let _e917 = (_e896 - _e891);
+                                                let _e918 = (_e897 - _e892);
+                                                let _e919 = (_e898 - _e893);
+                                                let _e921 = select(_e918, _e917, (_e917 > _e918));
+                                                let _e923 = select(_e919, _e921, (_e921 > _e919));
+                                                if (_e923 < (1024f * _e155)) {
+                                                    phi_3415_ = 0u;
                                                 } else {
-                                                    phi_3094_ = select(2u, 1u, (_e756 < (2097152f * _e149)));
+                                                    phi_3415_ = select(2u, 1u, (_e923 < (2097152f * _e155)));
                                                 }
-                                                let _e763 = phi_3094_;
-                                                switch bitcast<i32>(_e763) {
+                                                let _e930 = phi_3415_;
+                                                switch bitcast<i32>(_e930) {
                                                     case 0: {
-                                                        phi_3100_ = 1u;
+                                                        phi_3421_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3100_ = 2u;
+                                                        phi_3421_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3100_ = 3u;
+                                                        phi_3421_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3100_ = u32();
+                                                        phi_3421_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e766 = phi_3100_;
-                                                let _e772 = global_3.member[_e542.member_1][0u];
-                                                let _e776 = global_3.member[_e542.member_1][1u];
-                                                let _e780 = global_3.member[_e542.member_1][2u];
-                                                let _e784 = global_3.member[_e542.member_1][3u];
-                                                let _e796 = (((_e776 >> bitcast<u32>(22i)) | ((_e780 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e784 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e797 = (_e772 & 268435455u);
-                                                let _e798 = (_e796 & 268435455u);
-                                                let _e801 = ((_e772 >> bitcast<u32>(28u)) & 7u);
-                                                let _e809 = ((_e772 >> bitcast<u32>(31i)) | (((_e796 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e810 = (_e801 != 0u);
-                                                if (_e801 == 0u) {
-                                                    phi_3355_ = _e797;
+                                                let _e933 = phi_3421_;
+                                                let _e939 = global_3.member[_e703.member_1][0u];
+                                                let _e943 = global_3.member[_e703.member_1][1u];
+                                                let _e947 = global_3.member[_e703.member_1][2u];
+                                                let _e951 = global_3.member[_e703.member_1][3u];
+                                                let _e963 = (((_e943 >> bitcast<u32>(22i)) | ((_e947 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e951 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e964 = (_e939 & 268435455u);
+                                                let _e965 = (_e963 & 268435455u);
+                                                let _e968 = ((_e939 >> bitcast<u32>(28u)) & 7u);
+                                                let _e976 = ((_e939 >> bitcast<u32>(31i)) | (((_e963 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e977 = (_e968 != 0u);
+                                                if (_e968 == 0u) {
+                                                    phi_3676_ = _e964;
                                                 } else {
-                                                    if (_e801 == 7u) {
-                                                        phi_3354_ = 2147483648u;
+                                                    if (_e968 == 7u) {
+                                                        phi_3675_ = 2147483648u;
                                                     } else {
-                                                        phi_3354_ = ((2147483648u | (_e801 << bitcast<u32>(28u))) | (_e798 & 268435455u));
+                                                        phi_3675_ = ((2147483648u | (_e968 << bitcast<u32>(28u))) | (_e965 & 268435455u));
                                                     }
-                                                    let _e819 = phi_3354_;
-                                                    phi_3355_ = _e819;
+                                                    let _e986 = phi_3675_;
+                                                    phi_3676_ = _e986;
                                                 }
-                                                let _e821 = phi_3355_;
-                                                if _e810 {
-                                                    let _e822 = (_e801 != 7u);
-                                                    if _e822 {
-                                                        phi_3365_ = (_e798 + (_e801 * ((3u * _e766) + 1u)));
+                                                let _e988 = phi_3676_;
+                                                if _e977 {
+                                                    let _e989 = (_e968 != 7u);
+                                                    if _e989 {
+                                                        phi_3686_ = (_e965 + (_e968 * ((3u * _e933) + 1u)));
                                                     } else {
-                                                        phi_3365_ = u32();
+                                                        phi_3686_ = u32();
                                                     }
-                                                    let _e826 = phi_3365_;
-                                                    phi_3367_ = _e826;
-                                                    phi_3368_ = select(true, false, _e822);
+                                                    let _e993 = phi_3686_;
+                                                    phi_3688_ = _e993;
+                                                    phi_3689_ = select(true, false, _e989);
                                                 } else {
-                                                    phi_3367_ = u32();
-                                                    phi_3368_ = true;
+                                                    phi_3688_ = u32();
+                                                    phi_3689_ = true;
                                                 }
-                                                let _e829 = phi_3367_;
-                                                let _e831 = phi_3368_;
-                                                if (_e809 == 0u) {
-                                                    phi_3389_ = (_e797 + select(0u, 1u, !(_e810)));
+                                                let _e996 = phi_3688_;
+                                                let _e998 = phi_3689_;
+                                                if (_e976 == 0u) {
+                                                    phi_3710_ = (_e964 + select(0u, 1u, !(_e977)));
                                                 } else {
-                                                    if (_e809 == 7u) {
-                                                        phi_3388_ = 2147483648u;
+                                                    if (_e976 == 7u) {
+                                                        phi_3709_ = 2147483648u;
                                                     } else {
-                                                        phi_3388_ = ((2147483648u | (_e809 << bitcast<u32>(28u))) | (select(_e829, _e798, _e831) & 268435455u));
+                                                        phi_3709_ = ((2147483648u | (_e976 << bitcast<u32>(28u))) | (select(_e996, _e965, _e998) & 268435455u));
                                                     }
-                                                    let _e844 = phi_3388_;
-                                                    phi_3389_ = _e844;
+                                                    let _e1011 = phi_3709_;
+                                                    phi_3710_ = _e1011;
                                                 }
-                                                let _e846 = phi_3389_;
-                                                phi_3393_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e724, (_e542.member.member.x + _e676), _e729, (_e542.member.member_1.x - _e715)), vec4<f32>(_e725, (_e542.member.member.y + _e680), _e730, (_e542.member.member_1.y - _e719)), vec4<f32>(_e726, (_e542.member.member.z + _e684), _e731, (_e542.member.member_1.z - _e723))), type_49(type_34((_e542.member.member + vec4<f32>(_e654, _e663, _e672, 0f)), (_e542.member.member_1 - vec4<f32>(_e693, _e702, _e711, 0f))), _e821), type_49(type_34((_e542.member.member + vec4<f32>(_e676, _e680, _e684, 0f)), (_e542.member.member_1 - vec4<f32>(_e715, _e719, _e723, 0f))), _e846));
+                                                let _e1013 = phi_3710_;
+                                                phi_3714_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e891, (_e703.member.member.x + _e843), _e896, (_e703.member.member_1.x - _e882)), vec4<f32>(_e892, (_e703.member.member.y + _e847), _e897, (_e703.member.member_1.y - _e886)), vec4<f32>(_e893, (_e703.member.member.z + _e851), _e898, (_e703.member.member_1.z - _e890))), type_49(type_34((_e703.member.member + vec4<f32>(_e821, _e830, _e839, 0f)), (_e703.member.member_1 - vec4<f32>(_e860, _e869, _e878, 0f))), _e988), type_49(type_34((_e703.member.member + vec4<f32>(_e843, _e847, _e851, 0f)), (_e703.member.member_1 - vec4<f32>(_e882, _e886, _e890, 0f))), _e1013));
                                             }
-                                            let _e851 = phi_3393_;
-                                            let _e864 = ((_e851.member[0].x - _e330) * _e335);
-                                            let _e865 = ((_e851.member[0].y - _e330) * _e335);
-                                            let _e866 = ((_e851.member[0].z - _e331) * _e335);
-                                            let _e867 = ((_e851.member[0].w - _e331) * _e335);
-                                            let _e877 = ((_e851.member[1].x - _e366) * _e371);
-                                            let _e878 = ((_e851.member[1].y - _e366) * _e371);
-                                            let _e879 = ((_e851.member[1].z - _e367) * _e371);
-                                            let _e880 = ((_e851.member[1].w - _e367) * _e371);
-                                            let _e890 = ((_e851.member[2].x - _e402) * _e407);
-                                            let _e891 = ((_e851.member[2].y - _e402) * _e407);
-                                            let _e892 = ((_e851.member[2].z - _e403) * _e407);
-                                            let _e893 = ((_e851.member[2].w - _e403) * _e407);
-                                            let _e895 = select(_e892, _e890, (_e890 < _e892));
-                                            let _e897 = select(_e893, _e891, (_e891 < _e893));
-                                            let _e899 = select(_e892, _e890, (_e890 > _e892));
-                                            let _e901 = select(_e893, _e891, (_e891 > _e893));
-                                            let _e903 = select(_e866, _e864, (_e864 < _e866));
-                                            let _e905 = select(_e867, _e865, (_e865 < _e867));
-                                            let _e907 = select(_e879, _e877, (_e877 < _e879));
-                                            let _e909 = select(_e880, _e878, (_e878 < _e880));
-                                            let _e911 = select(_e907, _e903, (_e903 > _e907));
-                                            let _e913 = select(_e909, _e905, (_e905 > _e909));
-                                            let _e915 = select(_e895, _e911, (_e911 > _e895));
-                                            let _e917 = select(_e897, _e913, (_e913 > _e897));
-                                            let _e919 = select(_e866, _e864, (_e864 > _e866));
-                                            let _e921 = select(_e867, _e865, (_e865 > _e867));
-                                            let _e923 = select(_e879, _e877, (_e877 > _e879));
-                                            let _e925 = select(_e880, _e878, (_e878 > _e880));
-                                            let _e927 = select(_e923, _e919, (_e919 < _e923));
-                                            let _e929 = select(_e925, _e921, (_e921 < _e925));
-                                            let _e934 = -(_e895);
-                                            let _e935 = -(_e897);
-                                            let _e942 = (select(_e899, _e927, (_e927 < _e899)) + (select(_e934, _e899, (_e899 > _e934)) * 0.0000019073523f));
-                                            let _e943 = (select(_e901, _e929, (_e929 < _e901)) + (select(_e935, _e901, (_e901 > _e935)) * 0.0000019073523f));
-                                            let _e945 = select(_e453, _e915, (_e915 > _e453));
-                                            let _e947 = select(_e453, _e917, (_e917 > _e453));
-                                            let _e952 = (_e945 <= select(_e502.member.member_1, _e942, (_e942 < _e502.member.member_1)));
-                                            let _e953 = (_e947 <= select(_e502.member.member_1, _e943, (_e943 < _e502.member.member_1)));
-                                            let _e954 = (_e945 <= _e947);
-                                            if _e952 {
-                                                if _e953 {
-                                                    if _e954 {
-                                                        phi_3737_ = _e851.member_2;
+                                            let _e1018 = phi_3714_;
+                                            let _e1031 = ((_e1018.member[0].x - _e366) * _e371);
+                                            let _e1032 = ((_e1018.member[0].y - _e366) * _e371);
+                                            let _e1033 = ((_e1018.member[0].z - _e367) * _e371);
+                                            let _e1034 = ((_e1018.member[0].w - _e367) * _e371);
+                                            let _e1044 = ((_e1018.member[1].x - _e432) * _e437);
+                                            let _e1045 = ((_e1018.member[1].y - _e432) * _e437);
+                                            let _e1046 = ((_e1018.member[1].z - _e433) * _e437);
+                                            let _e1047 = ((_e1018.member[1].w - _e433) * _e437);
+                                            let _e1057 = ((_e1018.member[2].x - _e498) * _e503);
+                                            let _e1058 = ((_e1018.member[2].y - _e498) * _e503);
+                                            let _e1059 = ((_e1018.member[2].z - _e499) * _e503);
+                                            let _e1060 = ((_e1018.member[2].w - _e499) * _e503);
+                                            let _e1062 = select(_e1059, _e1057, (_e1057 < _e1059));
+                                            let _e1064 = select(_e1060, _e1058, (_e1058 < _e1060));
+                                            let _e1066 = select(_e1059, _e1057, (_e1057 > _e1059));
+                                            let _e1068 = select(_e1060, _e1058, (_e1058 > _e1060));
+                                            let _e1070 = select(_e1033, _e1031, (_e1031 < _e1033));
+                                            let _e1072 = select(_e1034, _e1032, (_e1032 < _e1034));
+                                            let _e1074 = select(_e1046, _e1044, (_e1044 < _e1046));
+                                            let _e1076 = select(_e1047, _e1045, (_e1045 < _e1047));
+                                            let _e1078 = select(_e1074, _e1070, (_e1070 > _e1074));
+                                            let _e1080 = select(_e1076, _e1072, (_e1072 > _e1076));
+                                            let _e1082 = select(_e1062, _e1078, (_e1078 > _e1062));
+                                            let _e1084 = select(_e1064, _e1080, (_e1080 > _e1064));
+                                            let _e1086 = select(_e1033, _e1031, (_e1031 > _e1033));
+                                            let _e1088 = select(_e1034, _e1032, (_e1032 > _e1034));
+                                            let _e1090 = select(_e1046, _e1044, (_e1044 > _e1046));
+                                            let _e1092 = select(_e1047, _e1045, (_e1045 > _e1047));
+                                            let _e1094 = select(_e1090, _e1086, (_e1086 < _e1090));
+                                            let _e1096 = select(_e1092, _e1088, (_e1088 < _e1092));
+                                            let _e1101 = -(_e1062);
+                                            let _e1102 = -(_e1064);
+                                            let _e1109 = (select(_e1066, _e1094, (_e1094 < _e1066)) + (select(_e1101, _e1066, (_e1066 > _e1101)) * 0.0000019073523f));
+                                            let _e1110 = (select(_e1068, _e1096, (_e1096 < _e1068)) + (select(_e1102, _e1068, (_e1068 > _e1102)) * 0.0000019073523f));
+                                            let _e1112 = select(_e614, _e1082, (_e1082 > _e614));
+                                            let _e1114 = select(_e614, _e1084, (_e1084 > _e614));
+                                            let _e1119 = (_e1112 <= select(_e663.member.member_1, _e1109, (_e1109 < _e663.member.member_1)));
+                                            let _e1120 = (_e1114 <= select(_e663.member.member_1, _e1110, (_e1110 < _e663.member.member_1)));
+                                            let _e1121 = (_e1112 <= _e1114);
+                                            if _e1119 {
+                                                if _e1120 {
+                                                    if _e1121 {
+                                                        phi_4058_ = _e1018.member_2;
                                                     } else {
-                                                        phi_3737_ = _e851.member_1;
+                                                        phi_4058_ = _e1018.member_1;
                                                     }
-                                                    let _e958 = phi_3737_;
-                                                    let _e980 = (_e546 % 128u);
-                                                    let _e981 = (_e980 < 128u);
-                                                    if _e981 {
+                                                    let _e1125 = phi_4058_;
+                                                    let _e1147 = (_e707 % 128u);
+                                                    let _e1148 = (_e1147 < 128u);
+                                                    if _e1148 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e980] = _e958.member_1;
-                                                    if _e981 {
+                                                    local_8[_e1147] = _e1125.member_1;
+                                                    if _e1148 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e980] = _e958.member.member.x;
-                                                    if _e981 {
+                                                    local_7[_e1147] = _e1125.member.member.x;
+                                                    if _e1148 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e980] = _e958.member.member.y;
-                                                    if _e981 {
+                                                    local_6[_e1147] = _e1125.member.member.y;
+                                                    if _e1148 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e980] = _e958.member.member.z;
-                                                    if _e981 {
+                                                    local_5[_e1147] = _e1125.member.member.z;
+                                                    if _e1148 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e980] = _e958.member.member_1.x;
-                                                    if _e981 {
+                                                    local_4[_e1147] = _e1125.member.member_1.x;
+                                                    if _e1148 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e980] = _e958.member.member_1.y;
-                                                    if _e981 {
+                                                    local_3[_e1147] = _e1125.member.member_1.y;
+                                                    if _e1148 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e980] = _e958.member.member_1.z;
-                                                    if _e981 {
+                                                    local_2[_e1147] = _e1125.member.member_1.z;
+                                                    if _e1148 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e980] = select(_e947, _e945, (_e945 > _e947));
-                                                    if _e954 {
-                                                        phi_3814_ = _e851.member_1;
+                                                    local_9[_e1147] = select(_e1114, _e1112, (_e1112 > _e1114));
+                                                    if _e1121 {
+                                                        phi_4135_ = _e1018.member_1;
                                                     } else {
-                                                        phi_3814_ = _e851.member_2;
+                                                        phi_4135_ = _e1018.member_2;
                                                     }
-                                                    let _e994 = phi_3814_;
-                                                    phi_3815_ = _e994;
-                                                    phi_3816_ = (_e546 + 1u);
+                                                    let _e1161 = phi_4135_;
+                                                    phi_4136_ = _e1161;
+                                                    phi_4137_ = (_e707 + 1u);
                                                 } else {
-                                                    phi_3815_ = type_49();
-                                                    phi_3816_ = u32();
+                                                    phi_4136_ = type_49();
+                                                    phi_4137_ = u32();
                                                 }
-                                                let _e996 = phi_3815_;
-                                                let _e998 = phi_3816_;
-                                                phi_3818_ = _e996;
-                                                phi_3819_ = _e998;
-                                                phi_3820_ = select(true, false, _e953);
+                                                let _e1163 = phi_4136_;
+                                                let _e1165 = phi_4137_;
+                                                phi_4139_ = _e1163;
+                                                phi_4140_ = _e1165;
+                                                phi_4141_ = select(true, false, _e1120);
                                             } else {
-                                                phi_3818_ = type_49();
-                                                phi_3819_ = u32();
-                                                phi_3820_ = true;
+                                                phi_4139_ = type_49();
+                                                phi_4140_ = u32();
+                                                phi_4141_ = true;
                                             }
-                                            let _e1001 = phi_3818_;
-                                            let _e1003 = phi_3819_;
-                                            let _e1005 = phi_3820_;
-                                            if _e1005 {
-                                                if _e952 {
-                                                    phi_3829_ = _e851.member_1;
+                                            let _e1168 = phi_4139_;
+                                            let _e1170 = phi_4140_;
+                                            let _e1172 = phi_4141_;
+                                            if _e1172 {
+                                                if _e1119 {
+                                                    phi_4150_ = _e1018.member_1;
                                                 } else {
-                                                    phi_3829_ = _e851.member_2;
+                                                    phi_4150_ = _e1018.member_2;
                                                 }
-                                                let _e1009 = phi_3829_;
-                                                phi_3834_ = _e1009;
-                                                phi_3835_ = select(_e953, true, _e952);
+                                                let _e1176 = phi_4150_;
+                                                phi_4155_ = _e1176;
+                                                phi_4156_ = select(_e1120, true, _e1119);
                                             } else {
-                                                phi_3834_ = _e1001;
-                                                phi_3835_ = _e544;
+                                                phi_4155_ = _e1168;
+                                                phi_4156_ = _e705;
                                             }
-                                            let _e1012 = phi_3834_;
-                                            let _e1014 = phi_3835_;
-                                            phi_4407_ = _e500;
-                                            phi_3837_ = type_42(_e502.member, (_e502.member_1 + 1u), _e502.member_2);
-                                            phi_3838_ = _e1012;
-                                            phi_3839_ = _e1014;
-                                            phi_3840_ = select(_e1003, _e546, _e1005);
+                                            let _e1179 = phi_4155_;
+                                            let _e1181 = phi_4156_;
+                                            phi_4852_ = _e661;
+                                            phi_4158_ = type_42(_e663.member, (_e663.member_1 + 1u), _e663.member_2);
+                                            phi_4159_ = _e1179;
+                                            phi_4160_ = _e1181;
+                                            phi_4161_ = select(_e1170, _e707, _e1172);
                                         }
-                                        let _e1952 = phi_4407_;
-                                        let _e1954 = phi_3837_;
-                                        let _e1956 = phi_3838_;
-                                        let _e1958 = phi_3839_;
-                                        let _e1960 = phi_3840_;
-                                        phi_4406_ = _e1952;
-                                        phi_3841_ = _e1954;
-                                        phi_3842_ = _e1956;
-                                        phi_3843_ = (_e506 - 1u);
-                                        phi_3844_ = _e1958;
-                                        phi_3845_ = _e1960;
+                                        let _e2137 = phi_4852_;
+                                        let _e2139 = phi_4158_;
+                                        let _e2141 = phi_4159_;
+                                        let _e2143 = phi_4160_;
+                                        let _e2145 = phi_4161_;
+                                        phi_4851_ = _e2137;
+                                        phi_4162_ = _e2139;
+                                        phi_4163_ = _e2141;
+                                        phi_4164_ = (_e667 - 1u);
+                                        phi_4165_ = _e2143;
+                                        phi_4166_ = _e2145;
                                     } else {
-                                        phi_4406_ = _e500;
-                                        phi_3841_ = _e502;
-                                        phi_3842_ = _e542;
-                                        phi_3843_ = _e506;
-                                        phi_3844_ = _e544;
-                                        phi_3845_ = _e546;
+                                        phi_4851_ = _e661;
+                                        phi_4162_ = _e663;
+                                        phi_4163_ = _e703;
+                                        phi_4164_ = _e667;
+                                        phi_4165_ = _e705;
+                                        phi_4166_ = _e707;
                                     }
-                                    let _e1962 = phi_4406_;
-                                    let _e1964 = phi_3841_;
-                                    let _e1966 = phi_3842_;
-                                    let _e1968 = phi_3843_;
-                                    let _e1970 = phi_3844_;
-                                    let _e1972 = phi_3845_;
-                                    phi_4405_ = _e1962;
-                                    phi_3846_ = _e1964;
-                                    phi_3847_ = _e1966;
-                                    phi_3848_ = _e1968;
-                                    phi_3849_ = _e1970;
-                                    phi_3850_ = _e1972;
+                                    let _e2147 = phi_4851_;
+                                    let _e2149 = phi_4162_;
+                                    let _e2151 = phi_4163_;
+                                    let _e2153 = phi_4164_;
+                                    let _e2155 = phi_4165_;
+                                    let _e2157 = phi_4166_;
+                                    phi_4850_ = _e2147;
+                                    phi_4167_ = _e2149;
+                                    phi_4168_ = _e2151;
+                                    phi_4169_ = _e2153;
+                                    phi_4170_ = _e2155;
+                                    phi_4171_ = _e2157;
                                 } else {
-                                    phi_4405_ = _e500;
-                                    phi_3846_ = type_42();
-                                    phi_3847_ = type_49();
-                                    phi_3848_ = u32();
-                                    phi_3849_ = bool();
-                                    phi_3850_ = u32();
+                                    phi_4850_ = _e661;
+                                    phi_4167_ = type_42();
+                                    phi_4168_ = type_49();
+                                    phi_4169_ = u32();
+                                    phi_4170_ = bool();
+                                    phi_4171_ = u32();
                                 }
-                                let _e1974 = phi_4405_;
-                                let _e1976 = phi_3846_;
-                                let _e1978 = phi_3847_;
-                                let _e1980 = phi_3848_;
-                                let _e1982 = phi_3849_;
-                                let _e1984 = phi_3850_;
-                                phi_4404_ = _e1974;
-                                phi_871_ = _e1976;
-                                phi_874_ = _e1978;
-                                phi_876_ = _e1980;
-                                phi_878_ = _e1982;
-                                phi_880_ = _e1984;
-                                phi_3851_ = _e514;
+                                let _e2159 = phi_4850_;
+                                let _e2161 = phi_4167_;
+                                let _e2163 = phi_4168_;
+                                let _e2165 = phi_4169_;
+                                let _e2167 = phi_4170_;
+                                let _e2169 = phi_4171_;
+                                phi_4849_ = _e2159;
+                                phi_1174_ = _e2161;
+                                phi_1177_ = _e2163;
+                                phi_1179_ = _e2165;
+                                phi_1181_ = _e2167;
+                                phi_1183_ = _e2169;
+                                phi_4172_ = _e675;
                             } else {
-                                phi_4404_ = _e500;
-                                phi_871_ = type_42();
-                                phi_874_ = type_49();
-                                phi_876_ = u32();
-                                phi_878_ = bool();
-                                phi_880_ = u32();
-                                phi_3851_ = false;
+                                phi_4849_ = _e661;
+                                phi_1174_ = type_42();
+                                phi_1177_ = type_49();
+                                phi_1179_ = u32();
+                                phi_1181_ = bool();
+                                phi_1183_ = u32();
+                                phi_4172_ = false;
                             }
-                            let _e1986 = phi_4404_;
-                            let _e1988 = phi_871_;
-                            let _e1990 = phi_874_;
-                            let _e1992 = phi_876_;
-                            let _e1994 = phi_878_;
-                            let _e1996 = phi_880_;
-                            let _e1998 = phi_3851_;
+                            let _e2171 = phi_4849_;
+                            let _e2173 = phi_1174_;
+                            let _e2175 = phi_1177_;
+                            let _e2177 = phi_1179_;
+                            let _e2179 = phi_1181_;
+                            let _e2181 = phi_1183_;
+                            let _e2183 = phi_4172_;
                             continue;
                             continuing {
-                                phi_4220_ = _e1986;
-                                phi_870_ = _e1988;
-                                phi_873_ = _e1990;
-                                phi_875_ = _e1992;
-                                phi_877_ = _e1994;
-                                phi_879_ = _e1996;
-                                phi_4403_ = _e1986;
-                                break if !(_e1998);
+                                phi_4647_ = _e2171;
+                                phi_1173_ = _e2173;
+                                phi_1176_ = _e2175;
+                                phi_1178_ = _e2177;
+                                phi_1180_ = _e2179;
+                                phi_1182_ = _e2181;
+                                phi_4848_ = _e2171;
+                                break if !(_e2183);
                             }
                         }
-                        let _e2001 = phi_4403_;
-                        if _e2001 {
+                        let _e2186 = phi_4848_;
+                        if _e2186 {
                             break;
                         }
-                        let _e2003 = local_10;
-                        if (_e2003.member.member.member_3 != 4294967295u) {
-                            let _e2009 = (_e277 / 3i);
-                            let _e2016 = bitcast<f32>((bitcast<u32>((_e2009 + 127i)) << bitcast<u32>(23i)));
-                            let _e2024 = (((_e2003.member.member.member * _e2016) * _e2016) * bitcast<f32>((bitcast<u32>(((_e277 - (2i * _e2009)) + 127i)) << bitcast<u32>(23i))));
-                            let _e2026 = select(340282350000000000000000000000000000000f, _e2024, (_e2024 < 340282350000000000000000000000000000000f));
-                            phi_3903_ = type_22(select(-340282350000000000000000000000000000000f, _e2026, (_e2026 > -340282350000000000000000000000000000000f)), _e2003.member.member.member_1, _e2003.member.member.member_2, _e2003.member.member.member_3);
+                        let _e2188 = local_10;
+                        if (_e2188.member.member.member_3 != 4294967295u) {
+                            let _e2194 = bitcast<u32>(_e2188.member.member.member);
+                            let _e2198 = (bitcast<i32>((_e2194 >> bitcast<u32>(23i))) & 255i);
+                            let _e2199 = (_e2198 + _e283);
+                            if (_e2198 == 255i) {
+                                phi_4231_ = _e2188.member.member.member;
+                            } else {
+                                if (_e2198 > 0i) {
+                                    if (_e2199 > 0i) {
+                                        let _e2203 = (_e2199 < 255i);
+                                        if _e2203 {
+                                            phi_4210_ = bitcast<f32>((_e2194 + bitcast<u32>((_e283 << bitcast<u32>(23i)))));
+                                        } else {
+                                            phi_4210_ = f32();
+                                        }
+                                        let _e2210 = phi_4210_;
+                                        phi_4212_ = _e2210;
+                                        phi_4213_ = select(true, false, _e2203);
+                                    } else {
+                                        phi_4212_ = f32();
+                                        phi_4213_ = true;
+                                    }
+                                    let _e2213 = phi_4212_;
+                                    let _e2215 = phi_4213_;
+                                    phi_4214_ = _e2213;
+                                    phi_4215_ = _e2215;
+                                } else {
+                                    phi_4214_ = f32();
+                                    phi_4215_ = true;
+                                }
+                                let _e2217 = phi_4214_;
+                                let _e2219 = phi_4215_;
+                                if _e2219 {
+                                    let _e2220 = (_e2194 & 2147483648u);
+                                    let _e2227 = ((_e2194 & 8388607u) | (select(0u, 1u, ((_e2194 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e2231 = (_e2227 == 0u);
+                                    if _e2231 {
+                                        phi_4599_ = bitcast<f32>(_e2220);
+                                    } else {
+                                        let _e2236 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2227)), 32u, _e2231) - 8u);
+                                        let _e2239 = (_e2227 << bitcast<u32>((_e2236 & 31u)));
+                                        let _e2241 = ((_e2199 + select(0i, 1i, (_e2198 == 0i))) - bitcast<i32>(_e2236));
+                                        if (_e2241 >= 255i) {
+                                            phi_4589_ = bitcast<f32>((_e2220 | 2139095040u));
+                                            phi_4590_ = f32();
+                                            phi_4591_ = true;
+                                        } else {
+                                            let _e2243 = (_e2241 > 0i);
+                                            if _e2243 {
+                                                phi_4583_ = bitcast<f32>(((_e2220 | (bitcast<u32>(_e2241) << bitcast<u32>(23i))) | (_e2239 & 8388607u)));
+                                                phi_4584_ = f32();
+                                            } else {
+                                                if (_e2241 < -24i) {
+                                                    phi_4549_ = 26u;
+                                                } else {
+                                                    phi_4549_ = bitcast<u32>((1i - _e2241));
+                                                }
+                                                let _e2248 = phi_4549_;
+                                                let _e2249 = (_e2248 & 31u);
+                                                let _e2251 = (_e2239 >> bitcast<u32>(_e2249));
+                                                let _e2255 = (_e2239 & ((1u << bitcast<u32>(_e2249)) - 1u));
+                                                let _e2259 = (1u << bitcast<u32>(((_e2248 - 1u) & 31u)));
+                                                if (_e2255 > _e2259) {
+                                                    phi_4570_ = true;
+                                                } else {
+                                                    if (_e2255 == _e2259) {
+                                                        phi_4567_ = ((_e2251 & 1u) == 1u);
+                                                    } else {
+                                                        phi_4567_ = false;
+                                                    }
+                                                    let _e2265 = phi_4567_;
+                                                    phi_4570_ = _e2265;
+                                                }
+                                                let _e2267 = phi_4570_;
+                                                phi_4583_ = f32();
+                                                phi_4584_ = bitcast<f32>((_e2220 | (_e2251 + select(0u, 1u, _e2267))));
+                                            }
+                                            let _e2280 = phi_4583_;
+                                            let _e2282 = phi_4584_;
+                                            phi_4589_ = _e2280;
+                                            phi_4590_ = _e2282;
+                                            phi_4591_ = _e2243;
+                                        }
+                                        let _e2286 = phi_4589_;
+                                        let _e2288 = phi_4590_;
+                                        let _e2290 = phi_4591_;
+                                        phi_4599_ = select(_e2288, _e2286, _e2290);
+                                    }
+                                    let _e2294 = phi_4599_;
+                                    phi_4230_ = _e2294;
+                                } else {
+                                    phi_4230_ = _e2217;
+                                }
+                                let _e2296 = phi_4230_;
+                                phi_4231_ = _e2296;
+                            }
+                            let _e2298 = phi_4231_;
+                            let _e2299 = bitcast<u32>(_e2298);
+                            if ((_e2299 & 2147483647u) >= 2139095040u) {
+                                phi_4243_ = bitcast<f32>(((_e2299 & 2147483648u) | 2139095039u));
+                            } else {
+                                phi_4243_ = _e2298;
+                            }
+                            let _e2306 = phi_4243_;
+                            phi_4248_ = type_22(_e2306, _e2188.member.member.member_1, _e2188.member.member.member_2, _e2188.member.member.member_3);
                         } else {
-                            phi_3903_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_4248_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e2033 = phi_3903_;
-                        if _e153 {
+                        let _e2311 = phi_4248_;
+                        if _e159 {
                         } else {
                             break;
                         }
-                        global_1.member[_e137] = _e2033;
-                        let _e2037 = local_11;
-                        if _e154 {
+                        global_1.member[_e143] = _e2311;
+                        let _e2315 = local_11;
+                        if _e160 {
                         } else {
                             break;
                         }
-                        global_5.member[_e137] = _e2037.member_1;
-                        if _e152 {
+                        global_5.member[_e143] = _e2315.member_1;
+                        if _e158 {
                         } else {
                             break;
                         }
-                        let _e2042 = select(0u, 1u, (_e221 <= _e231));
-                        if (_e2042 > 0u) {
-                            let _e2044 = (1u < _e105);
-                            if _e2044 {
-                                if (0u < _e105) {
+                        let _e2320 = select(0u, 1u, (_e227 <= _e237));
+                        if (_e2320 > 0u) {
+                            let _e2322 = (1u < _e111);
+                            if _e2322 {
+                                if (0u < _e111) {
                                 } else {
                                     break;
                                 }
-                                let _e2048 = atomicAdd((&global_6.member[0u]), _e2042);
-                                if ((_e2048 + _e2042) < _e2048) {
-                                    if _e2044 {
+                                let _e2326 = atomicAdd((&global_6.member[0u]), _e2320);
+                                if ((_e2326 + _e2320) < _e2326) {
+                                    if _e2322 {
                                     } else {
                                         break;
                                     }
-                                    let _e2053 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e2331 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e2056 = select(0u, 1u, (_e2033.member_3 != 4294967295u));
-                        if (_e2056 > 0u) {
-                            let _e2058 = (3u < _e105);
-                            if _e2058 {
-                                if (2u < _e105) {
+                        let _e2334 = select(0u, 1u, (_e2311.member_3 != 4294967295u));
+                        if (_e2334 > 0u) {
+                            let _e2336 = (3u < _e111);
+                            if _e2336 {
+                                if (2u < _e111) {
                                 } else {
                                     break;
                                 }
-                                let _e2062 = atomicAdd((&global_6.member[2u]), _e2056);
-                                if ((_e2062 + _e2056) < _e2062) {
-                                    if _e2058 {
+                                let _e2340 = atomicAdd((&global_6.member[2u]), _e2334);
+                                if ((_e2340 + _e2334) < _e2340) {
+                                    if _e2336 {
                                     } else {
                                         break;
                                     }
-                                    let _e2067 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e2345 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e2037.member_1 > 0u) {
-                            let _e2069 = (5u < _e105);
-                            if _e2069 {
-                                if (4u < _e105) {
+                        if (_e2315.member_1 > 0u) {
+                            let _e2347 = (5u < _e111);
+                            if _e2347 {
+                                if (4u < _e111) {
                                 } else {
                                     break;
                                 }
-                                let _e2073 = atomicAdd((&global_6.member[4u]), _e2037.member_1);
-                                if ((_e2073 + _e2037.member_1) < _e2073) {
-                                    if _e2069 {
+                                let _e2351 = atomicAdd((&global_6.member[4u]), _e2315.member_1);
+                                if ((_e2351 + _e2315.member_1) < _e2351) {
+                                    if _e2347 {
                                     } else {
                                         break;
                                     }
-                                    let _e2078 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e2356 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

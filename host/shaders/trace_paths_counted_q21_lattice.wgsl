@@ -103,432 +103,512 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_403_: i32;
-    var phi_404_: i32;
-    var phi_414_: bool;
-    var phi_424_: u32;
-    var phi_425_: u32;
-    var phi_427_: bool;
-    var phi_432_: u32;
-    var phi_464_: i32;
-    var phi_482_: f32;
-    var phi_488_: f32;
-    var phi_499_: f32;
-    var phi_505_: f32;
-    var phi_528_: f32;
-    var phi_539_: f32;
-    var phi_548_: f32;
-    var phi_554_: f32;
+    var phi_486_: i32;
+    var phi_487_: i32;
+    var phi_497_: bool;
+    var phi_507_: u32;
+    var phi_508_: u32;
+    var phi_510_: bool;
+    var phi_515_: u32;
+    var phi_547_: i32;
     var phi_565_: f32;
     var phi_571_: f32;
-    var phi_594_: f32;
-    var phi_605_: f32;
-    var phi_614_: f32;
-    var phi_620_: f32;
-    var phi_631_: f32;
-    var phi_637_: f32;
-    var phi_660_: f32;
-    var phi_671_: f32;
-    var phi_771_: f32;
-    var phi_772_: f32;
-    var phi_4220_: bool;
-    var phi_870_: type_38;
-    var phi_873_: type_49;
-    var phi_875_: u32;
-    var phi_877_: bool;
-    var phi_879_: u32;
-    var phi_890_: bool;
-    var phi_976_: type_49;
-    var phi_977_: bool;
-    var phi_978_: u32;
-    var phi_3094_: u32;
-    var phi_3100_: u32;
-    var phi_3354_: u32;
-    var phi_3355_: u32;
-    var phi_3365_: u32;
-    var phi_3367_: u32;
-    var phi_3368_: bool;
-    var phi_3388_: u32;
-    var phi_3389_: u32;
-    var phi_3393_: type_50;
-    var phi_3737_: type_49;
-    var phi_3814_: type_49;
-    var phi_3815_: type_49;
-    var phi_3816_: u32;
-    var phi_3818_: type_49;
-    var phi_3819_: u32;
-    var phi_3820_: bool;
-    var phi_3829_: type_49;
-    var phi_3834_: type_49;
-    var phi_3835_: bool;
-    var phi_997_: type_38;
-    var phi_1000_: type_8;
-    var phi_1001_: type_8;
-    var phi_1023_: type_8;
-    var phi_1067_: u32;
-    var phi_1073_: u32;
-    var phi_1083_: u32;
-    var phi_1099_: u32;
-    var phi_1132_: u32;
-    var phi_1138_: u32;
-    var phi_1565_: u32;
-    var phi_1583_: u32;
-    var phi_1601_: u32;
-    var phi_1621_: u32;
-    var phi_1639_: u32;
-    var phi_1657_: u32;
-    var phi_1677_: u32;
-    var phi_1695_: u32;
-    var phi_1713_: u32;
-    var phi_1291_: u32;
-    var phi_1306_: u32;
-    var phi_1316_: u32;
-    var phi_1336_: u32;
-    var phi_1356_: u32;
-    var phi_1382_: u32;
-    var phi_1397_: u32;
-    var phi_1407_: u32;
-    var phi_1427_: u32;
-    var phi_1447_: u32;
-    var phi_1473_: u32;
-    var phi_1488_: u32;
-    var phi_1498_: u32;
-    var phi_1518_: u32;
-    var phi_1538_: u32;
-    var phi_1162_: u32;
-    var phi_1205_: u32;
-    var phi_1248_: u32;
-    var phi_1719_: array<array<f32, 3>, 3>;
-    var phi_1836_: bool;
-    var phi_1865_: bool;
-    var phi_2266_: f32;
-    var phi_2267_: f32;
-    var phi_2268_: f32;
-    var phi_2269_: f32;
-    var phi_2270_: vec3<f32>;
-    var phi_2271_: vec3<f32>;
-    var phi_2272_: vec3<f32>;
-    var phi_2273_: vec3<f32>;
-    var phi_2304_: bool;
-    var phi_2313_: vec3<f32>;
-    var phi_2478_: f32;
-    var phi_2480_: f32;
-    var phi_2481_: bool;
-    var phi_2501_: f32;
-    var phi_2502_: f32;
-    var phi_2525_: type_18;
-    var phi_2527_: type_18;
-    var phi_2528_: bool;
-    var phi_2532_: type_18;
-    var phi_2533_: type_18;
-    var phi_2534_: type_18;
-    var phi_2535_: bool;
-    var phi_2539_: type_18;
-    var phi_2540_: bool;
-    var phi_2541_: type_18;
-    var phi_2542_: bool;
-    var phi_2543_: bool;
-    var phi_2544_: type_18;
-    var phi_2545_: bool;
-    var phi_2546_: bool;
-    var phi_2554_: type_18;
-    var phi_2555_: bool;
-    var phi_2559_: type_18;
-    var phi_2584_: bool;
-    var phi_2585_: bool;
-    var phi_2592_: type_38;
-    var phi_2593_: type_38;
-    var phi_2594_: type_38;
-    var phi_998_: type_38;
-    var phi_4214_: bool;
-    var phi_4407_: bool;
-    var phi_3837_: type_38;
-    var phi_3838_: type_49;
-    var phi_3839_: bool;
-    var phi_3840_: u32;
-    var phi_4406_: bool;
-    var phi_3841_: type_38;
-    var phi_3842_: type_49;
-    var phi_3843_: u32;
-    var phi_3844_: bool;
-    var phi_3845_: u32;
-    var phi_4405_: bool;
-    var phi_3846_: type_38;
-    var phi_3847_: type_49;
-    var phi_3848_: u32;
-    var phi_3849_: bool;
-    var phi_3850_: u32;
-    var phi_4404_: bool;
-    var phi_871_: type_38;
-    var phi_874_: type_49;
-    var phi_876_: u32;
-    var phi_878_: bool;
-    var phi_880_: u32;
-    var phi_3851_: bool;
-    var phi_4403_: bool;
+    var phi_611_: f32;
+    var phi_617_: f32;
+    var phi_669_: f32;
+    var phi_680_: f32;
+    var phi_689_: f32;
+    var phi_695_: f32;
+    var phi_735_: f32;
+    var phi_741_: f32;
+    var phi_793_: f32;
+    var phi_804_: f32;
+    var phi_813_: f32;
+    var phi_819_: f32;
+    var phi_859_: f32;
+    var phi_865_: f32;
+    var phi_917_: f32;
+    var phi_928_: f32;
+    var phi_983_: i32;
+    var phi_1005_: u32;
+    var phi_1006_: u32;
+    var phi_1043_: i32;
+    var phi_1065_: u32;
+    var phi_1066_: u32;
+    var phi_1074_: f32;
+    var phi_1075_: f32;
+    var phi_4647_: bool;
+    var phi_1173_: type_38;
+    var phi_1176_: type_49;
+    var phi_1178_: u32;
+    var phi_1180_: bool;
+    var phi_1182_: u32;
+    var phi_1193_: bool;
+    var phi_1279_: type_49;
+    var phi_1280_: bool;
+    var phi_1281_: u32;
+    var phi_3415_: u32;
+    var phi_3421_: u32;
+    var phi_3675_: u32;
+    var phi_3676_: u32;
+    var phi_3686_: u32;
+    var phi_3688_: u32;
+    var phi_3689_: bool;
+    var phi_3709_: u32;
+    var phi_3710_: u32;
+    var phi_3714_: type_50;
+    var phi_4058_: type_49;
+    var phi_4135_: type_49;
+    var phi_4136_: type_49;
+    var phi_4137_: u32;
+    var phi_4139_: type_49;
+    var phi_4140_: u32;
+    var phi_4141_: bool;
+    var phi_4150_: type_49;
+    var phi_4155_: type_49;
+    var phi_4156_: bool;
+    var phi_1300_: type_38;
+    var phi_1303_: type_8;
+    var phi_1304_: type_8;
+    var phi_1326_: type_8;
+    var phi_1370_: u32;
+    var phi_1376_: u32;
+    var phi_1386_: u32;
+    var phi_1402_: u32;
+    var phi_1435_: u32;
+    var phi_1441_: u32;
+    var phi_1886_: u32;
+    var phi_1904_: u32;
+    var phi_1922_: u32;
+    var phi_1942_: u32;
+    var phi_1960_: u32;
+    var phi_1978_: u32;
+    var phi_1998_: u32;
+    var phi_2016_: u32;
+    var phi_2034_: u32;
+    var phi_1603_: u32;
+    var phi_1618_: u32;
+    var phi_1628_: u32;
+    var phi_1649_: u32;
+    var phi_1670_: u32;
+    var phi_1697_: u32;
+    var phi_1712_: u32;
+    var phi_1722_: u32;
+    var phi_1743_: u32;
+    var phi_1764_: u32;
+    var phi_1791_: u32;
+    var phi_1806_: u32;
+    var phi_1816_: u32;
+    var phi_1837_: u32;
+    var phi_1858_: u32;
+    var phi_1465_: u32;
+    var phi_1511_: u32;
+    var phi_1557_: u32;
+    var phi_2040_: array<array<f32, 3>, 3>;
+    var phi_2157_: bool;
+    var phi_2186_: bool;
+    var phi_2587_: f32;
+    var phi_2588_: f32;
+    var phi_2589_: f32;
+    var phi_2590_: f32;
+    var phi_2591_: vec3<f32>;
+    var phi_2592_: vec3<f32>;
+    var phi_2593_: vec3<f32>;
+    var phi_2594_: vec3<f32>;
+    var phi_2625_: bool;
+    var phi_2634_: vec3<f32>;
+    var phi_2799_: f32;
+    var phi_2801_: f32;
+    var phi_2802_: bool;
+    var phi_2822_: f32;
+    var phi_2823_: f32;
+    var phi_2846_: type_18;
+    var phi_2848_: type_18;
+    var phi_2849_: bool;
+    var phi_2853_: type_18;
+    var phi_2854_: type_18;
+    var phi_2855_: type_18;
+    var phi_2856_: bool;
+    var phi_2860_: type_18;
+    var phi_2861_: bool;
+    var phi_2862_: type_18;
+    var phi_2863_: bool;
+    var phi_2864_: bool;
+    var phi_2865_: type_18;
+    var phi_2866_: bool;
+    var phi_2867_: bool;
+    var phi_2875_: type_18;
+    var phi_2876_: bool;
+    var phi_2880_: type_18;
+    var phi_2905_: bool;
+    var phi_2906_: bool;
+    var phi_2913_: type_38;
+    var phi_2914_: type_38;
+    var phi_2915_: type_38;
+    var phi_1301_: type_38;
+    var phi_4641_: bool;
+    var phi_4852_: bool;
+    var phi_4158_: type_38;
+    var phi_4159_: type_49;
+    var phi_4160_: bool;
+    var phi_4161_: u32;
+    var phi_4851_: bool;
+    var phi_4162_: type_38;
+    var phi_4163_: type_49;
+    var phi_4164_: u32;
+    var phi_4165_: bool;
+    var phi_4166_: u32;
+    var phi_4850_: bool;
+    var phi_4167_: type_38;
+    var phi_4168_: type_49;
+    var phi_4169_: u32;
+    var phi_4170_: bool;
+    var phi_4171_: u32;
+    var phi_4849_: bool;
+    var phi_1174_: type_38;
+    var phi_1177_: type_49;
+    var phi_1179_: u32;
+    var phi_1181_: bool;
+    var phi_1183_: u32;
+    var phi_4172_: bool;
+    var phi_4848_: bool;
     var local_10: type_38;
-    var phi_3903_: type_18;
+    var phi_4210_: f32;
+    var phi_4212_: f32;
+    var phi_4213_: bool;
+    var phi_4214_: f32;
+    var phi_4215_: bool;
+    var phi_4549_: u32;
+    var phi_4567_: bool;
+    var phi_4570_: bool;
+    var phi_4583_: f32;
+    var phi_4584_: f32;
+    var phi_4589_: f32;
+    var phi_4590_: f32;
+    var phi_4591_: bool;
+    var phi_4599_: f32;
+    var phi_4230_: f32;
+    var phi_4231_: f32;
+    var phi_4243_: f32;
+    var phi_4248_: type_18;
     var local_11: type_38;
     var local_12: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e89 = global;
-            let _e91 = arrayLength((&global_6.member));
-            let _e94 = arrayLength((&global_7.member));
-            let _e102 = arrayLength((&global_5.member));
-            let _e106 = global_2.member[0u][0u];
-            let _e110 = global_2.member[0u][1u];
-            let _e114 = global_2.member[0u][2u];
-            let _e118 = global_2.member[0u][3u];
-            let _e122 = global_2.member[1u][0u];
-            let _e126 = global_2.member[1u][1u];
-            let _e130 = global_2.member[1u][2u];
-            let _e134 = (_e89.x + (_e89.y * 2097152u));
-            let _e146 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e118) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e106), bitcast<i32>(_e110), bitcast<i32>(_e114));
-            local = array<i32, 3>(bitcast<i32>(_e122), bitcast<i32>(_e126), bitcast<i32>(_e130));
-            let _e149 = (_e134 < arrayLength((&global_3.member)));
-            if _e149 {
-                let _e150 = (_e134 < arrayLength((&global_1.member)));
-                if _e150 {
-                    let _e151 = (_e134 < arrayLength((&global_4.member)));
-                    if _e151 {
-                        if _e149 {
+            let _e95 = global;
+            let _e97 = arrayLength((&global_6.member));
+            let _e100 = arrayLength((&global_7.member));
+            let _e108 = arrayLength((&global_5.member));
+            let _e112 = global_2.member[0u][0u];
+            let _e116 = global_2.member[0u][1u];
+            let _e120 = global_2.member[0u][2u];
+            let _e124 = global_2.member[0u][3u];
+            let _e128 = global_2.member[1u][0u];
+            let _e132 = global_2.member[1u][1u];
+            let _e136 = global_2.member[1u][2u];
+            let _e140 = (_e95.x + (_e95.y * 2097152u));
+            let _e152 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e124) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e112), bitcast<i32>(_e116), bitcast<i32>(_e120));
+            local = array<i32, 3>(bitcast<i32>(_e128), bitcast<i32>(_e132), bitcast<i32>(_e136));
+            let _e155 = (_e140 < arrayLength((&global_3.member)));
+            if _e155 {
+                let _e156 = (_e140 < arrayLength((&global_1.member)));
+                if _e156 {
+                    let _e157 = (_e140 < arrayLength((&global_4.member)));
+                    if _e157 {
+                        if _e155 {
                         } else {
                             break;
                         }
-                        let _e161 = global_3.member[_e134].member.member_2[0u];
-                        let _e163 = (bitcast<u32>(_e161) & 2147483647u);
-                        let _e169 = global_3.member[_e134].member.member_2[1u];
-                        let _e171 = (bitcast<u32>(_e169) & 2147483647u);
-                        let _e177 = global_3.member[_e134].member.member_2[2u];
-                        let _e179 = (bitcast<u32>(_e177) & 2147483647u);
-                        let _e185 = global_3.member[_e134].member.member[0u];
-                        let _e187 = (bitcast<u32>(_e185) & 2147483647u);
-                        let _e193 = global_3.member[_e134].member.member[1u];
-                        let _e195 = (bitcast<u32>(_e193) & 2147483647u);
-                        let _e201 = global_3.member[_e134].member.member[2u];
-                        let _e203 = (bitcast<u32>(_e201) & 2147483647u);
-                        let _e205 = select(_e171, _e163, (_e171 < _e163));
-                        let _e207 = select(_e179, _e205, (_e179 < _e205));
-                        let _e209 = select(_e187, _e207, (_e187 < _e207));
-                        let _e211 = select(_e195, _e209, (_e195 < _e209));
-                        let _e213 = select(_e203, _e211, (_e203 < _e211));
-                        let _e218 = global_3.member[_e134].member.member_1;
-                        let _e220 = (bitcast<u32>(_e218) & 2147483647u);
-                        let _e228 = global_3.member[_e134].member.member_3;
-                        let _e234 = (((select(_e220, _e213, (_e220 < _e213)) < 2139095040u) && ((bitcast<u32>(_e228) & 2147483647u) <= 2139095040u)) && (_e207 > 0u));
-                        if _e234 {
-                            let _e237 = (bitcast<u32>(bitcast<f32>(_e207)) & 2147483647u);
-                            if (_e237 >= 8388608u) {
-                                phi_403_ = (bitcast<i32>((_e237 >> bitcast<u32>(23i))) - 127i);
+                        let _e167 = global_3.member[_e140].member.member_2[0u];
+                        let _e169 = (bitcast<u32>(_e167) & 2147483647u);
+                        let _e175 = global_3.member[_e140].member.member_2[1u];
+                        let _e177 = (bitcast<u32>(_e175) & 2147483647u);
+                        let _e183 = global_3.member[_e140].member.member_2[2u];
+                        let _e185 = (bitcast<u32>(_e183) & 2147483647u);
+                        let _e191 = global_3.member[_e140].member.member[0u];
+                        let _e193 = (bitcast<u32>(_e191) & 2147483647u);
+                        let _e199 = global_3.member[_e140].member.member[1u];
+                        let _e201 = (bitcast<u32>(_e199) & 2147483647u);
+                        let _e207 = global_3.member[_e140].member.member[2u];
+                        let _e209 = (bitcast<u32>(_e207) & 2147483647u);
+                        let _e211 = select(_e177, _e169, (_e177 < _e169));
+                        let _e213 = select(_e185, _e211, (_e185 < _e211));
+                        let _e215 = select(_e193, _e213, (_e193 < _e213));
+                        let _e217 = select(_e201, _e215, (_e201 < _e215));
+                        let _e219 = select(_e209, _e217, (_e209 < _e217));
+                        let _e224 = global_3.member[_e140].member.member_1;
+                        let _e225 = bitcast<u32>(_e224);
+                        let _e226 = (_e225 & 2147483647u);
+                        let _e234 = global_3.member[_e140].member.member_3;
+                        let _e235 = bitcast<u32>(_e234);
+                        let _e236 = (_e235 & 2147483647u);
+                        let _e240 = (((select(_e226, _e219, (_e226 < _e219)) < 2139095040u) && (_e236 <= 2139095040u)) && (_e213 > 0u));
+                        if _e240 {
+                            let _e243 = (bitcast<u32>(bitcast<f32>(_e213)) & 2147483647u);
+                            if (_e243 >= 8388608u) {
+                                phi_486_ = (bitcast<i32>((_e243 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_403_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e237)), 32u, (_e237 == 0u))));
+                                phi_486_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e243)), 32u, (_e243 == 0u))));
                             }
-                            let _e251 = phi_403_;
-                            phi_404_ = _e251;
+                            let _e257 = phi_486_;
+                            phi_487_ = _e257;
                         } else {
-                            phi_404_ = 0i;
+                            phi_487_ = 0i;
                         }
-                        let _e253 = phi_404_;
-                        let _e254 = (_e163 == _e207);
-                        if _e254 {
-                            phi_414_ = true;
+                        let _e259 = phi_487_;
+                        let _e260 = (_e169 == _e213);
+                        if _e260 {
+                            phi_497_ = true;
                         } else {
-                            phi_414_ = (_e171 == _e207);
+                            phi_497_ = (_e177 == _e213);
                         }
-                        let _e257 = phi_414_;
-                        let _e258 = select(1u, 0u, _e254);
-                        if _e257 {
-                            let _e259 = (_e258 + 1u);
-                            phi_424_ = _e259;
-                            phi_425_ = _e259;
-                            phi_427_ = select(true, false, (_e259 == 2u));
+                        let _e263 = phi_497_;
+                        let _e264 = select(1u, 0u, _e260);
+                        if _e263 {
+                            let _e265 = (_e264 + 1u);
+                            phi_507_ = _e265;
+                            phi_508_ = _e265;
+                            phi_510_ = select(true, false, (_e265 == 2u));
                         } else {
-                            phi_424_ = u32();
-                            phi_425_ = 0u;
-                            phi_427_ = true;
+                            phi_507_ = u32();
+                            phi_508_ = 0u;
+                            phi_510_ = true;
                         }
-                        let _e263 = phi_424_;
-                        let _e265 = phi_425_;
-                        let _e267 = phi_427_;
-                        if _e267 {
-                            phi_432_ = (_e265 + 1u);
+                        let _e269 = phi_507_;
+                        let _e271 = phi_508_;
+                        let _e273 = phi_510_;
+                        if _e273 {
+                            phi_515_ = (_e271 + 1u);
                         } else {
-                            phi_432_ = 0u;
+                            phi_515_ = 0u;
                         }
-                        let _e271 = phi_432_;
-                        let _e272 = select(_e263, _e265, _e267);
-                        let _e273 = select(_e258, select(2u, _e258, _e257), _e267);
-                        let _e274 = -(_e253);
-                        if (_e274 < -126i) {
-                            phi_464_ = -126i;
+                        let _e277 = phi_515_;
+                        let _e278 = select(_e269, _e271, _e273);
+                        let _e279 = select(_e264, select(2u, _e264, _e263), _e273);
+                        let _e280 = -(_e259);
+                        if (_e280 < -126i) {
+                            phi_547_ = -126i;
                         } else {
-                            phi_464_ = select(_e274, 127i, (_e274 > 127i));
+                            phi_547_ = select(_e280, 127i, (_e280 > 127i));
                         }
-                        let _e279 = phi_464_;
-                        let _e284 = bitcast<f32>((bitcast<u32>((_e279 + 127i)) << bitcast<u32>(23i)));
-                        let _e290 = bitcast<f32>((bitcast<u32>(((_e274 - _e279) + 127i)) << bitcast<u32>(23i)));
-                        let _e295 = global_3.member[_e134].member.member;
-                        let _e296 = (_e272 == 0u);
-                        if _e296 {
-                            phi_482_ = _e295[0];
+                        let _e285 = phi_547_;
+                        let _e290 = bitcast<f32>((bitcast<u32>((_e285 + 127i)) << bitcast<u32>(23i)));
+                        let _e296 = bitcast<f32>((bitcast<u32>(((_e280 - _e285) + 127i)) << bitcast<u32>(23i)));
+                        let _e301 = global_3.member[_e140].member.member;
+                        let _e302 = (_e278 == 0u);
+                        if _e302 {
+                            phi_565_ = _e301[0];
                         } else {
-                            phi_482_ = _e295[1];
+                            phi_565_ = _e301[1];
                         }
-                        let _e300 = phi_482_;
-                        let _e301 = (_e272 == 2u);
-                        if _e301 {
-                            phi_488_ = _e295[2];
+                        let _e306 = phi_565_;
+                        let _e307 = (_e278 == 2u);
+                        if _e307 {
+                            phi_571_ = _e301[2];
                         } else {
-                            phi_488_ = _e300;
+                            phi_571_ = _e306;
                         }
-                        let _e304 = phi_488_;
-                        let _e305 = global_3.member[_e134].member.member_2;
-                        if _e296 {
-                            phi_499_ = _e305[0];
+                        let _e310 = phi_571_;
+                        let _e311 = bitcast<u32>(_e310);
+                        let _e313 = ((_e311 & 2139095040u) != 0u);
+                        let _e325 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e311 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e311 & 2147483648u))), _e310, _e313) * select(0.00000011920929f, 1f, _e313));
+                        let _e326 = global_3.member[_e140].member.member_2;
+                        if _e302 {
+                            phi_611_ = _e326[0];
                         } else {
-                            phi_499_ = _e305[1];
+                            phi_611_ = _e326[1];
                         }
-                        let _e309 = phi_499_;
-                        if _e301 {
-                            phi_505_ = _e305[2];
+                        let _e330 = phi_611_;
+                        if _e307 {
+                            phi_617_ = _e326[2];
                         } else {
-                            phi_505_ = _e309;
+                            phi_617_ = _e330;
                         }
-                        let _e312 = phi_505_;
-                        let _e314 = ((_e312 * _e284) * _e290);
-                        let _e318 = (bitcast<f32>((bitcast<u32>(_e314) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e318 {
-                            let _e322 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
-                            phi_528_ = select(0.00000000000011368684f, _e322, (_e322 > 0.00000000000011368684f));
-                        } else {
-                            phi_528_ = 0f;
-                        }
-                        let _e326 = phi_528_;
-                        let _e327 = (_e304 + _e326);
-                        let _e328 = (_e304 - _e326);
-                        let _e329 = select(_e314, 0f, _e318);
-                        if _e318 {
-                            phi_539_ = 38685626000000000000000000f;
-                        } else {
-                            phi_539_ = (1f / _e314);
-                        }
-                        let _e332 = phi_539_;
-                        let _e333 = (_e271 == 0u);
-                        if _e333 {
-                            phi_548_ = _e295[0];
-                        } else {
-                            phi_548_ = _e295[1];
-                        }
-                        let _e337 = phi_548_;
-                        let _e338 = (_e271 == 2u);
-                        if _e338 {
-                            phi_554_ = _e295[2];
-                        } else {
-                            phi_554_ = _e337;
-                        }
-                        let _e341 = phi_554_;
-                        if _e333 {
-                            phi_565_ = _e305[0];
-                        } else {
-                            phi_565_ = _e305[1];
-                        }
-                        let _e345 = phi_565_;
-                        if _e338 {
-                            phi_571_ = _e305[2];
-                        } else {
-                            phi_571_ = _e345;
-                        }
-                        let _e348 = phi_571_;
-                        let _e350 = ((_e348 * _e284) * _e290);
+                        let _e333 = phi_617_;
+                        let _e334 = bitcast<u32>(_e333);
+                        let _e336 = ((_e334 & 2139095040u) != 0u);
+                        let _e350 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e334 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e334 & 2147483648u))), _e333, _e336) * _e290) * select(0.00000011920929f, 1f, _e336)) * _e296);
                         let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e354 {
-                            let _e358 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) * 0.00000011920929f);
-                            phi_594_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
+                            let _e358 = (bitcast<f32>((bitcast<u32>(_e325) & 2147483647u)) * 0.00000011920929f);
+                            phi_669_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
                         } else {
-                            phi_594_ = 0f;
+                            phi_669_ = 0f;
                         }
-                        let _e362 = phi_594_;
-                        let _e363 = (_e341 + _e362);
-                        let _e364 = (_e341 - _e362);
+                        let _e362 = phi_669_;
+                        let _e363 = (_e325 + _e362);
+                        let _e364 = (_e325 - _e362);
                         let _e365 = select(_e350, 0f, _e354);
                         if _e354 {
-                            phi_605_ = 38685626000000000000000000f;
+                            phi_680_ = 38685626000000000000000000f;
                         } else {
-                            phi_605_ = (1f / _e350);
+                            phi_680_ = (1f / _e350);
                         }
-                        let _e368 = phi_605_;
-                        let _e369 = (_e273 == 0u);
+                        let _e368 = phi_680_;
+                        let _e369 = (_e277 == 0u);
                         if _e369 {
-                            phi_614_ = _e295[0];
+                            phi_689_ = _e301[0];
                         } else {
-                            phi_614_ = _e295[1];
+                            phi_689_ = _e301[1];
                         }
-                        let _e373 = phi_614_;
-                        let _e374 = (_e273 == 2u);
+                        let _e373 = phi_689_;
+                        let _e374 = (_e277 == 2u);
                         if _e374 {
-                            phi_620_ = _e295[2];
+                            phi_695_ = _e301[2];
                         } else {
-                            phi_620_ = _e373;
+                            phi_695_ = _e373;
                         }
-                        let _e377 = phi_620_;
+                        let _e377 = phi_695_;
+                        let _e378 = bitcast<u32>(_e377);
+                        let _e380 = ((_e378 & 2139095040u) != 0u);
+                        let _e392 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e377, _e380) * select(0.00000011920929f, 1f, _e380));
                         if _e369 {
-                            phi_631_ = _e305[0];
+                            phi_735_ = _e326[0];
                         } else {
-                            phi_631_ = _e305[1];
+                            phi_735_ = _e326[1];
                         }
-                        let _e381 = phi_631_;
+                        let _e396 = phi_735_;
                         if _e374 {
-                            phi_637_ = _e305[2];
+                            phi_741_ = _e326[2];
                         } else {
-                            phi_637_ = _e381;
+                            phi_741_ = _e396;
                         }
-                        let _e384 = phi_637_;
-                        let _e386 = ((_e384 * _e284) * _e290);
-                        let _e390 = (bitcast<f32>((bitcast<u32>(_e386) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e390 {
-                            let _e394 = (bitcast<f32>((bitcast<u32>(_e377) & 2147483647u)) * 0.00000011920929f);
-                            phi_660_ = select(0.00000000000011368684f, _e394, (_e394 > 0.00000000000011368684f));
+                        let _e399 = phi_741_;
+                        let _e400 = bitcast<u32>(_e399);
+                        let _e402 = ((_e400 & 2139095040u) != 0u);
+                        let _e416 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e400 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e400 & 2147483648u))), _e399, _e402) * _e290) * select(0.00000011920929f, 1f, _e402)) * _e296);
+                        let _e420 = (bitcast<f32>((bitcast<u32>(_e416) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e420 {
+                            let _e424 = (bitcast<f32>((bitcast<u32>(_e392) & 2147483647u)) * 0.00000011920929f);
+                            phi_793_ = select(0.00000000000011368684f, _e424, (_e424 > 0.00000000000011368684f));
                         } else {
-                            phi_660_ = 0f;
+                            phi_793_ = 0f;
                         }
-                        let _e398 = phi_660_;
-                        let _e399 = (_e377 + _e398);
-                        let _e400 = (_e377 - _e398);
-                        let _e401 = select(_e386, 0f, _e390);
-                        if _e390 {
-                            phi_671_ = 38685626000000000000000000f;
+                        let _e428 = phi_793_;
+                        let _e429 = (_e392 + _e428);
+                        let _e430 = (_e392 - _e428);
+                        let _e431 = select(_e416, 0f, _e420);
+                        if _e420 {
+                            phi_804_ = 38685626000000000000000000f;
                         } else {
-                            phi_671_ = (1f / _e386);
+                            phi_804_ = (1f / _e416);
                         }
-                        let _e404 = phi_671_;
-                        let _e407 = bitcast<f32>((bitcast<u32>(_e304) & 2147483647u));
-                        let _e410 = bitcast<f32>((bitcast<u32>(_e341) & 2147483647u));
-                        let _e412 = select(_e410, _e407, (_e407 > _e410));
-                        let _e415 = bitcast<f32>((bitcast<u32>(_e377) & 2147483647u));
-                        if (_e234 && (select(_e415, _e412, (_e412 > _e415)) <= 1099511600000f)) {
-                            let _e420 = (_e253 / 3i);
-                            let _e427 = bitcast<f32>((bitcast<u32>((_e420 + 127i)) << bitcast<u32>(23i)));
-                            let _e434 = bitcast<f32>((bitcast<u32>(((_e253 - (2i * _e420)) + 127i)) << bitcast<u32>(23i)));
-                            let _e435 = (((_e218 * _e427) * _e427) * _e434);
-                            let _e437 = select(340282350000000000000000000000000000000f, _e435, (_e435 < 340282350000000000000000000000000000000f));
-                            let _e442 = (((_e228 * _e427) * _e427) * _e434);
-                            let _e444 = select(340282350000000000000000000000000000000f, _e442, (_e442 < 340282350000000000000000000000000000000f));
-                            phi_771_ = select(-340282350000000000000000000000000000000f, _e444, (_e444 > -340282350000000000000000000000000000000f));
-                            phi_772_ = select(-340282350000000000000000000000000000000f, _e437, (_e437 > -340282350000000000000000000000000000000f));
+                        let _e434 = phi_804_;
+                        let _e435 = (_e279 == 0u);
+                        if _e435 {
+                            phi_813_ = _e301[0];
                         } else {
-                            phi_771_ = 0f;
-                            phi_772_ = 1f;
+                            phi_813_ = _e301[1];
                         }
-                        let _e448 = phi_771_;
-                        let _e450 = phi_772_;
-                        if _e149 {
+                        let _e439 = phi_813_;
+                        let _e440 = (_e279 == 2u);
+                        if _e440 {
+                            phi_819_ = _e301[2];
+                        } else {
+                            phi_819_ = _e439;
+                        }
+                        let _e443 = phi_819_;
+                        let _e444 = bitcast<u32>(_e443);
+                        let _e446 = ((_e444 & 2139095040u) != 0u);
+                        let _e458 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e444 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e444 & 2147483648u))), _e443, _e446) * select(0.00000011920929f, 1f, _e446));
+                        if _e435 {
+                            phi_859_ = _e326[0];
+                        } else {
+                            phi_859_ = _e326[1];
+                        }
+                        let _e462 = phi_859_;
+                        if _e440 {
+                            phi_865_ = _e326[2];
+                        } else {
+                            phi_865_ = _e462;
+                        }
+                        let _e465 = phi_865_;
+                        let _e466 = bitcast<u32>(_e465);
+                        let _e468 = ((_e466 & 2139095040u) != 0u);
+                        let _e482 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e466 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e466 & 2147483648u))), _e465, _e468) * _e290) * select(0.00000011920929f, 1f, _e468)) * _e296);
+                        let _e486 = (bitcast<f32>((bitcast<u32>(_e482) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e486 {
+                            let _e490 = (bitcast<f32>((bitcast<u32>(_e458) & 2147483647u)) * 0.00000011920929f);
+                            phi_917_ = select(0.00000000000011368684f, _e490, (_e490 > 0.00000000000011368684f));
+                        } else {
+                            phi_917_ = 0f;
+                        }
+                        let _e494 = phi_917_;
+                        let _e495 = (_e458 + _e494);
+                        let _e496 = (_e458 - _e494);
+                        let _e497 = select(_e482, 0f, _e486);
+                        if _e486 {
+                            phi_928_ = 38685626000000000000000000f;
+                        } else {
+                            phi_928_ = (1f / _e482);
+                        }
+                        let _e500 = phi_928_;
+                        let _e503 = bitcast<f32>((bitcast<u32>(_e325) & 2147483647u));
+                        let _e506 = bitcast<f32>((bitcast<u32>(_e392) & 2147483647u));
+                        let _e508 = select(_e506, _e503, (_e503 > _e506));
+                        let _e511 = bitcast<f32>((bitcast<u32>(_e458) & 2147483647u));
+                        if (_e240 && (select(_e511, _e508, (_e508 > _e511)) <= 1099511600000f)) {
+                            let _e523 = ((_e226 & 8388607u) | (select(0u, 1u, ((_e226 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e526 = bitcast<i32>((_e226 >> bitcast<u32>(23i)));
+                            let _e530 = (_e523 == 0u);
+                            let _e533 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e523)), 32u, _e530)) - 8i);
+                            if (_e526 == 255i) {
+                                phi_983_ = 255i;
+                            } else {
+                                phi_983_ = (((_e526 + select(0i, 1i, (_e526 == 0i))) - _e533) + _e259);
+                            }
+                            let _e541 = phi_983_;
+                            let _e551 = (_e541 <= 0i);
+                            if _e551 {
+                                phi_1006_ = u32();
+                            } else {
+                                if _e530 {
+                                    phi_1005_ = u32();
+                                } else {
+                                    phi_1005_ = select(((bitcast<u32>(_e541) << bitcast<u32>(23i)) | ((_e523 << bitcast<u32>(((_e533 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e541 >= 255i));
+                                }
+                                let _e555 = phi_1005_;
+                                phi_1006_ = _e555;
+                            }
+                            let _e557 = phi_1006_;
+                            let _e569 = ((_e236 & 8388607u) | (select(0u, 1u, ((_e236 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e572 = bitcast<i32>((_e236 >> bitcast<u32>(23i)));
+                            let _e576 = (_e569 == 0u);
+                            let _e579 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e569)), 32u, _e576)) - 8i);
+                            if (_e572 == 255i) {
+                                phi_1043_ = 255i;
+                            } else {
+                                phi_1043_ = (((_e572 + select(0i, 1i, (_e572 == 0i))) - _e579) + _e259);
+                            }
+                            let _e587 = phi_1043_;
+                            let _e597 = (_e587 <= 0i);
+                            if _e597 {
+                                phi_1066_ = u32();
+                            } else {
+                                if _e576 {
+                                    phi_1065_ = u32();
+                                } else {
+                                    phi_1065_ = select(((bitcast<u32>(_e587) << bitcast<u32>(23i)) | ((_e569 << bitcast<u32>(((_e579 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e587 >= 255i));
+                                }
+                                let _e601 = phi_1065_;
+                                phi_1066_ = _e601;
+                            }
+                            let _e603 = phi_1066_;
+                            phi_1074_ = bitcast<f32>(((_e235 & 2147483648u) | select(_e603, 0u, select(_e576, true, _e597))));
+                            phi_1075_ = bitcast<f32>(((_e225 & 2147483648u) | select(_e557, 0u, select(_e530, true, _e551))));
+                        } else {
+                            phi_1074_ = 0f;
+                            phi_1075_ = 1f;
+                        }
+                        let _e609 = phi_1074_;
+                        let _e611 = phi_1075_;
+                        if _e155 {
                         } else {
                             break;
                         }
-                        let _e456 = global_3.member[_e134].member_2;
+                        let _e617 = global_3.member[_e140].member_2;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -537,1387 +617,1486 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e459 = (_e272 % 3u);
-                        let _e460 = (_e459 < 3u);
-                        if _e460 {
+                        let _e620 = (_e278 % 3u);
+                        let _e621 = (_e620 < 3u);
+                        if _e621 {
                         } else {
                             break;
                         }
-                        let _e462 = local_1[_e459];
-                        let _e465 = (_e271 % 3u);
-                        let _e466 = (_e465 < 3u);
-                        if _e466 {
+                        let _e623 = local_1[_e620];
+                        let _e626 = (_e277 % 3u);
+                        let _e627 = (_e626 < 3u);
+                        if _e627 {
                         } else {
                             break;
                         }
-                        let _e468 = local_1[_e465];
-                        let _e471 = (_e273 % 3u);
-                        let _e472 = (_e471 < 3u);
-                        if _e472 {
+                        let _e629 = local_1[_e626];
+                        let _e632 = (_e279 % 3u);
+                        let _e633 = (_e632 < 3u);
+                        if _e633 {
                         } else {
                             break;
                         }
-                        let _e474 = local_1[_e471];
-                        if _e460 {
+                        let _e635 = local_1[_e632];
+                        if _e621 {
                         } else {
                             break;
                         }
-                        let _e479 = local[_e459];
-                        if _e466 {
+                        let _e640 = local[_e620];
+                        if _e627 {
                         } else {
                             break;
                         }
-                        let _e483 = local[_e465];
-                        if _e472 {
+                        let _e644 = local[_e626];
+                        if _e633 {
                         } else {
                             break;
                         }
-                        let _e487 = local[_e471];
-                        phi_4220_ = false;
-                        phi_870_ = type_38(type_34(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e448), 0u, 0u);
-                        phi_873_ = type_49(type_30(vec4<f32>((f32(_e462) * _e146), (f32(_e468) * _e146), (f32(_e474) * _e146), 0f), vec4<f32>((f32(_e479) * _e146), (f32(_e483) * _e146), (f32(_e487) * _e146), 0f)), select(0u, 2147483648u, (_e91 == 0u)));
-                        phi_875_ = ((3u * _e91) + 1u);
-                        phi_877_ = (_e450 <= _e448);
-                        phi_879_ = 0u;
+                        let _e648 = local[_e632];
+                        phi_4647_ = false;
+                        phi_1173_ = type_38(type_34(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e609), 0u, 0u);
+                        phi_1176_ = type_49(type_30(vec4<f32>((f32(_e623) * _e152), (f32(_e629) * _e152), (f32(_e635) * _e152), 0f), vec4<f32>((f32(_e640) * _e152), (f32(_e644) * _e152), (f32(_e648) * _e152), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
+                        phi_1178_ = ((3u * _e97) + 1u);
+                        phi_1180_ = (_e611 <= _e609);
+                        phi_1182_ = 0u;
                         loop {
-                            let _e497 = phi_4220_;
-                            let _e499 = phi_870_;
-                            let _e501 = phi_873_;
-                            let _e503 = phi_875_;
-                            let _e505 = phi_877_;
-                            let _e507 = phi_879_;
-                            local_10 = _e499;
-                            local_11 = _e499;
-                            if _e505 {
-                                phi_890_ = true;
+                            let _e658 = phi_4647_;
+                            let _e660 = phi_1173_;
+                            let _e662 = phi_1176_;
+                            let _e664 = phi_1178_;
+                            let _e666 = phi_1180_;
+                            let _e668 = phi_1182_;
+                            local_10 = _e660;
+                            local_11 = _e660;
+                            if _e666 {
+                                phi_1193_ = true;
                             } else {
-                                phi_890_ = (_e507 > 0u);
+                                phi_1193_ = (_e668 > 0u);
                             }
-                            let _e510 = phi_890_;
-                            if _e510 {
-                                let _e511 = (_e503 > 0u);
-                                if _e511 {
-                                    if _e505 {
-                                        phi_976_ = _e501;
-                                        phi_977_ = _e505;
-                                        phi_978_ = _e507;
+                            let _e671 = phi_1193_;
+                            if _e671 {
+                                let _e672 = (_e664 > 0u);
+                                if _e672 {
+                                    if _e666 {
+                                        phi_1279_ = _e662;
+                                        phi_1280_ = _e666;
+                                        phi_1281_ = _e668;
                                     } else {
-                                        let _e512 = (_e507 - 1u);
-                                        let _e513 = (_e512 % 128u);
-                                        let _e514 = (_e513 < 128u);
-                                        if _e514 {
+                                        let _e673 = (_e668 - 1u);
+                                        let _e674 = (_e673 % 128u);
+                                        let _e675 = (_e674 < 128u);
+                                        if _e675 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e516 = local_7[_e513];
-                                        if _e514 {
+                                        let _e677 = local_7[_e674];
+                                        if _e675 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e518 = local_6[_e513];
-                                        if _e514 {
+                                        let _e679 = local_6[_e674];
+                                        if _e675 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e520 = local_5[_e513];
-                                        if _e514 {
+                                        let _e681 = local_5[_e674];
+                                        if _e675 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e522 = local_4[_e513];
-                                        if _e514 {
+                                        let _e683 = local_4[_e674];
+                                        if _e675 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e524 = local_3[_e513];
-                                        if _e514 {
+                                        let _e685 = local_3[_e674];
+                                        if _e675 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e526 = local_2[_e513];
-                                        if _e514 {
+                                        let _e687 = local_2[_e674];
+                                        if _e675 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e531 = local_8[_e513];
-                                        if _e514 {
+                                        let _e692 = local_8[_e674];
+                                        if _e675 {
                                         } else {
-                                            phi_4403_ = true;
+                                            phi_4848_ = true;
                                             break;
                                         }
-                                        let _e534 = local_9[_e513];
-                                        phi_976_ = type_49(type_30(vec4<f32>(_e516, _e518, _e520, 0f), vec4<f32>(_e522, _e524, _e526, 0f)), _e531);
-                                        phi_977_ = (_e534 <= _e499.member.member_1);
-                                        phi_978_ = _e512;
+                                        let _e695 = local_9[_e674];
+                                        phi_1279_ = type_49(type_30(vec4<f32>(_e677, _e679, _e681, 0f), vec4<f32>(_e683, _e685, _e687, 0f)), _e692);
+                                        phi_1280_ = (_e695 <= _e660.member.member_1);
+                                        phi_1281_ = _e673;
                                     }
-                                    let _e539 = phi_976_;
-                                    let _e541 = phi_977_;
-                                    let _e543 = phi_978_;
-                                    if _e541 {
-                                        let _e548 = (_e539.member_1 & 268435455u);
-                                        if ((_e539.member_1 & 2147483648u) != 0u) {
-                                            phi_997_ = _e499;
-                                            phi_1000_ = type_8(0u, ((_e539.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e700 = phi_1279_;
+                                    let _e702 = phi_1280_;
+                                    let _e704 = phi_1281_;
+                                    if _e702 {
+                                        let _e709 = (_e700.member_1 & 268435455u);
+                                        if ((_e700.member_1 & 2147483648u) != 0u) {
+                                            phi_1300_ = _e660;
+                                            phi_1303_ = type_8(0u, ((_e700.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1033 = phi_997_;
-                                                let _e1035 = phi_1000_;
-                                                local_12 = _e1033;
-                                                if (_e1035.member < _e1035.member_1) {
-                                                    phi_1001_ = type_8((_e1035.member + 1u), _e1035.member_1);
-                                                    phi_1023_ = type_8(1u, _e1035.member);
+                                                let _e1200 = phi_1300_;
+                                                let _e1202 = phi_1303_;
+                                                local_12 = _e1200;
+                                                if (_e1202.member < _e1202.member_1) {
+                                                    phi_1304_ = type_8((_e1202.member + 1u), _e1202.member_1);
+                                                    phi_1326_ = type_8(1u, _e1202.member);
                                                 } else {
-                                                    phi_1001_ = _e1035;
-                                                    phi_1023_ = type_8(0u, type_8().member_1);
+                                                    phi_1304_ = _e1202;
+                                                    phi_1326_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1048 = phi_1001_;
-                                                let _e1050 = phi_1023_;
-                                                let _e1054 = (bitcast<i32>(_e1050.member) != 0i);
-                                                if _e1054 {
-                                                    let _e1060 = type_38(_e1033.member, _e1033.member_1, (_e1033.member_2 + 1u));
-                                                    let _e1065 = (_e539.member.member_1.x - _e539.member.member.x);
-                                                    let _e1068 = (_e539.member.member_1.y - _e539.member.member.y);
-                                                    let _e1071 = (_e539.member.member_1.z - _e539.member.member.z);
-                                                    let _e1073 = select(_e1068, _e1065, (_e1065 > _e1068));
-                                                    let _e1075 = select(_e1071, _e1073, (_e1073 > _e1071));
-                                                    let _e1077 = (_e1075 < (1024f * _e146));
-                                                    if _e1077 {
-                                                        phi_1067_ = 0u;
+                                                let _e1215 = phi_1304_;
+                                                let _e1217 = phi_1326_;
+                                                let _e1221 = (bitcast<i32>(_e1217.member) != 0i);
+                                                if _e1221 {
+                                                    let _e1227 = type_38(_e1200.member, _e1200.member_1, (_e1200.member_2 + 1u));
+                                                    let _e1232 = (_e700.member.member_1.x - _e700.member.member.x);
+                                                    let _e1235 = (_e700.member.member_1.y - _e700.member.member.y);
+                                                    let _e1238 = (_e700.member.member_1.z - _e700.member.member.z);
+                                                    let _e1240 = select(_e1235, _e1232, (_e1232 > _e1235));
+                                                    let _e1242 = select(_e1238, _e1240, (_e1240 > _e1238));
+                                                    let _e1244 = (_e1242 < (1024f * _e152));
+                                                    if _e1244 {
+                                                        phi_1370_ = 0u;
                                                     } else {
-                                                        phi_1067_ = select(2u, 1u, (_e1075 < (2097152f * _e146)));
+                                                        phi_1370_ = select(2u, 1u, (_e1242 < (2097152f * _e152)));
                                                     }
-                                                    let _e1082 = phi_1067_;
-                                                    switch bitcast<i32>(_e1082) {
+                                                    let _e1249 = phi_1370_;
+                                                    switch bitcast<i32>(_e1249) {
                                                         case 0: {
-                                                            phi_1073_ = 1u;
+                                                            phi_1376_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1073_ = 2u;
+                                                            phi_1376_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1073_ = 3u;
+                                                            phi_1376_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1073_ = u32();
+                                                            phi_1376_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1085 = phi_1073_;
-                                                    switch bitcast<i32>(_e1082) {
+                                                    let _e1252 = phi_1376_;
+                                                    switch bitcast<i32>(_e1249) {
                                                         case 0: {
-                                                            phi_1083_ = 1u;
+                                                            phi_1386_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1083_ = 2u;
+                                                            phi_1386_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1083_ = 3u;
+                                                            phi_1386_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1083_ = u32();
+                                                            phi_1386_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1092 = phi_1083_;
-                                                    let _e1094 = ((_e548 + (_e1050.member_1 * ((3u * _e1085) + 1u))) + (3u * _e1092));
-                                                    let _e1095 = (_e1094 < _e94);
-                                                    if _e1095 {
-                                                        if _e1095 {
+                                                    let _e1259 = phi_1386_;
+                                                    let _e1261 = ((_e709 + (_e1217.member_1 * ((3u * _e1252) + 1u))) + (3u * _e1259));
+                                                    let _e1262 = (_e1261 < _e100);
+                                                    if _e1262 {
+                                                        if _e1262 {
                                                         } else {
-                                                            phi_4214_ = true;
+                                                            phi_4641_ = true;
                                                             break;
                                                         }
-                                                        let _e1097 = global_7.member[_e1094];
-                                                        phi_1099_ = _e1097;
+                                                        let _e1264 = global_7.member[_e1261];
+                                                        phi_1402_ = _e1264;
                                                     } else {
-                                                        phi_1099_ = 4294967295u;
+                                                        phi_1402_ = 4294967295u;
                                                     }
-                                                    let _e1099 = phi_1099_;
-                                                    if _e1077 {
-                                                        phi_1132_ = 0u;
+                                                    let _e1266 = phi_1402_;
+                                                    if _e1244 {
+                                                        phi_1435_ = 0u;
                                                     } else {
-                                                        phi_1132_ = select(2u, 1u, (_e1075 < (2097152f * _e146)));
+                                                        phi_1435_ = select(2u, 1u, (_e1242 < (2097152f * _e152)));
                                                     }
-                                                    let _e1104 = phi_1132_;
-                                                    switch bitcast<i32>(_e1104) {
+                                                    let _e1271 = phi_1435_;
+                                                    switch bitcast<i32>(_e1271) {
                                                         case 0: {
-                                                            phi_1138_ = 1u;
+                                                            phi_1441_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1138_ = 2u;
+                                                            phi_1441_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1138_ = 3u;
+                                                            phi_1441_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1138_ = u32();
+                                                            phi_1441_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1107 = phi_1138_;
-                                                    let _e1111 = (_e548 + (_e1050.member_1 * ((3u * _e1107) + 1u)));
-                                                    switch bitcast<i32>(_e1104) {
+                                                    let _e1274 = phi_1441_;
+                                                    let _e1278 = (_e709 + (_e1217.member_1 * ((3u * _e1274) + 1u)));
+                                                    switch bitcast<i32>(_e1271) {
                                                         case 0: {
-                                                            let _e1377 = (_e1111 < _e94);
-                                                            if _e1377 {
-                                                                if _e1377 {
+                                                            let _e1553 = (_e1278 < _e100);
+                                                            if _e1553 {
+                                                                if _e1553 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1379 = global_7.member[_e1111];
-                                                                phi_1162_ = _e1379;
+                                                                let _e1555 = global_7.member[_e1278];
+                                                                phi_1465_ = _e1555;
                                                             } else {
-                                                                phi_1162_ = 0u;
+                                                                phi_1465_ = 0u;
                                                             }
-                                                            let _e1381 = phi_1162_;
-                                                            let _e1383 = ((10u * _e272) & 31u);
-                                                            let _e1392 = ((10u * _e271) & 31u);
-                                                            let _e1401 = ((10u * _e273) & 31u);
-                                                            let _e1410 = (_e1111 + 1u);
-                                                            let _e1411 = (_e1410 < _e94);
-                                                            if _e1411 {
-                                                                if _e1411 {
+                                                            let _e1557 = phi_1465_;
+                                                            let _e1559 = ((10u * _e278) & 31u);
+                                                            let _e1569 = ((10u * _e277) & 31u);
+                                                            let _e1579 = ((10u * _e279) & 31u);
+                                                            let _e1589 = (_e1278 + 1u);
+                                                            let _e1590 = (_e1589 < _e100);
+                                                            if _e1590 {
+                                                                if _e1590 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1413 = global_7.member[_e1410];
-                                                                phi_1205_ = _e1413;
+                                                                let _e1592 = global_7.member[_e1589];
+                                                                phi_1511_ = _e1592;
                                                             } else {
-                                                                phi_1205_ = 0u;
+                                                                phi_1511_ = 0u;
                                                             }
-                                                            let _e1415 = phi_1205_;
-                                                            let _e1438 = (_e1111 + 2u);
-                                                            let _e1439 = (_e1438 < _e94);
-                                                            if _e1439 {
-                                                                if _e1439 {
+                                                            let _e1594 = phi_1511_;
+                                                            let _e1620 = (_e1278 + 2u);
+                                                            let _e1621 = (_e1620 < _e100);
+                                                            if _e1621 {
+                                                                if _e1621 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1441 = global_7.member[_e1438];
-                                                                phi_1248_ = _e1441;
+                                                                let _e1623 = global_7.member[_e1620];
+                                                                phi_1557_ = _e1623;
                                                             } else {
-                                                                phi_1248_ = 0u;
+                                                                phi_1557_ = 0u;
                                                             }
-                                                            let _e1443 = phi_1248_;
-                                                            phi_1719_ = array<array<f32, 3>, 3>(array<f32, 3>((_e539.member.member.x + (f32(bitcast<i32>(((_e1381 >> bitcast<u32>(_e1383)) & 1023u))) * _e146)), (_e539.member.member.y + (f32(bitcast<i32>(((_e1381 >> bitcast<u32>(_e1392)) & 1023u))) * _e146)), (_e539.member.member.z + (f32(bitcast<i32>(((_e1381 >> bitcast<u32>(_e1401)) & 1023u))) * _e146))), array<f32, 3>((_e539.member.member.x + (f32(bitcast<i32>(((_e1415 >> bitcast<u32>(_e1383)) & 1023u))) * _e146)), (_e539.member.member.y + (f32(bitcast<i32>(((_e1415 >> bitcast<u32>(_e1392)) & 1023u))) * _e146)), (_e539.member.member.z + (f32(bitcast<i32>(((_e1415 >> bitcast<u32>(_e1401)) & 1023u))) * _e146))), array<f32, 3>((_e539.member.member.x + (f32(bitcast<i32>(((_e1443 >> bitcast<u32>(_e1383)) & 1023u))) * _e146)), (_e539.member.member.y + (f32(bitcast<i32>(((_e1443 >> bitcast<u32>(_e1392)) & 1023u))) * _e146)), (_e539.member.member.z + (f32(bitcast<i32>(((_e1443 >> bitcast<u32>(_e1401)) & 1023u))) * _e146))));
+                                                            let _e1625 = phi_1557_;
+                                                            phi_2040_ = array<array<f32, 3>, 3>(array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1200 = (_e1111 < _e94);
-                                                            if _e1200 {
-                                                                if _e1200 {
+                                                            let _e1367 = (_e1278 < _e100);
+                                                            if _e1367 {
+                                                                if _e1367 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1202 = global_7.member[_e1111];
-                                                                phi_1291_ = _e1202;
+                                                                let _e1369 = global_7.member[_e1278];
+                                                                phi_1603_ = _e1369;
                                                             } else {
-                                                                phi_1291_ = 0u;
+                                                                phi_1603_ = 0u;
                                                             }
-                                                            let _e1204 = phi_1291_;
-                                                            let _e1205 = (_e1111 + 1u);
-                                                            let _e1206 = (_e1205 < _e94);
-                                                            if _e1206 {
-                                                                if _e1206 {
+                                                            let _e1371 = phi_1603_;
+                                                            let _e1372 = (_e1278 + 1u);
+                                                            let _e1373 = (_e1372 < _e100);
+                                                            if _e1373 {
+                                                                if _e1373 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1208 = global_7.member[_e1205];
-                                                                phi_1306_ = _e1208;
+                                                                let _e1375 = global_7.member[_e1372];
+                                                                phi_1618_ = _e1375;
                                                             } else {
-                                                                phi_1306_ = 0u;
+                                                                phi_1618_ = 0u;
                                                             }
-                                                            let _e1210 = phi_1306_;
-                                                            let _e1211 = (_e272 == 1u);
-                                                            if _e1211 {
-                                                                phi_1316_ = ((_e1204 >> bitcast<u32>(21i)) | (_e1210 << bitcast<u32>(11i)));
+                                                            let _e1377 = phi_1618_;
+                                                            let _e1378 = (_e278 == 1u);
+                                                            if _e1378 {
+                                                                phi_1628_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1316_ = (_e1210 >> bitcast<u32>(10i));
+                                                                phi_1628_ = (_e1377 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1220 = phi_1316_;
-                                                            let _e1227 = (_e271 == 1u);
-                                                            if _e1227 {
-                                                                phi_1336_ = ((_e1204 >> bitcast<u32>(21i)) | (_e1210 << bitcast<u32>(11i)));
+                                                            let _e1387 = phi_1628_;
+                                                            let _e1395 = (_e277 == 1u);
+                                                            if _e1395 {
+                                                                phi_1649_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1336_ = (_e1210 >> bitcast<u32>(10i));
+                                                                phi_1649_ = (_e1377 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1236 = phi_1336_;
-                                                            let _e1243 = (_e273 == 1u);
-                                                            if _e1243 {
-                                                                phi_1356_ = ((_e1204 >> bitcast<u32>(21i)) | (_e1210 << bitcast<u32>(11i)));
+                                                            let _e1404 = phi_1649_;
+                                                            let _e1412 = (_e279 == 1u);
+                                                            if _e1412 {
+                                                                phi_1670_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1356_ = (_e1210 >> bitcast<u32>(10i));
+                                                                phi_1670_ = (_e1377 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1252 = phi_1356_;
-                                                            let _e1260 = (_e1111 + 2u);
-                                                            let _e1261 = (_e1260 < _e94);
-                                                            if _e1261 {
-                                                                if _e1261 {
+                                                            let _e1421 = phi_1670_;
+                                                            let _e1430 = (_e1278 + 2u);
+                                                            let _e1431 = (_e1430 < _e100);
+                                                            if _e1431 {
+                                                                if _e1431 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1263 = global_7.member[_e1260];
-                                                                phi_1382_ = _e1263;
+                                                                let _e1433 = global_7.member[_e1430];
+                                                                phi_1697_ = _e1433;
                                                             } else {
-                                                                phi_1382_ = 0u;
+                                                                phi_1697_ = 0u;
                                                             }
-                                                            let _e1265 = phi_1382_;
-                                                            let _e1266 = (_e1111 + 3u);
-                                                            let _e1267 = (_e1266 < _e94);
-                                                            if _e1267 {
-                                                                if _e1267 {
+                                                            let _e1435 = phi_1697_;
+                                                            let _e1436 = (_e1278 + 3u);
+                                                            let _e1437 = (_e1436 < _e100);
+                                                            if _e1437 {
+                                                                if _e1437 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1269 = global_7.member[_e1266];
-                                                                phi_1397_ = _e1269;
+                                                                let _e1439 = global_7.member[_e1436];
+                                                                phi_1712_ = _e1439;
                                                             } else {
-                                                                phi_1397_ = 0u;
+                                                                phi_1712_ = 0u;
                                                             }
-                                                            let _e1271 = phi_1397_;
-                                                            if _e1211 {
-                                                                phi_1407_ = ((_e1265 >> bitcast<u32>(21i)) | (_e1271 << bitcast<u32>(11i)));
+                                                            let _e1441 = phi_1712_;
+                                                            if _e1378 {
+                                                                phi_1722_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1407_ = (_e1271 >> bitcast<u32>(10i));
+                                                                phi_1722_ = (_e1441 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1280 = phi_1407_;
-                                                            if _e1227 {
-                                                                phi_1427_ = ((_e1265 >> bitcast<u32>(21i)) | (_e1271 << bitcast<u32>(11i)));
+                                                            let _e1450 = phi_1722_;
+                                                            if _e1395 {
+                                                                phi_1743_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1427_ = (_e1271 >> bitcast<u32>(10i));
+                                                                phi_1743_ = (_e1441 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1295 = phi_1427_;
-                                                            if _e1243 {
-                                                                phi_1447_ = ((_e1265 >> bitcast<u32>(21i)) | (_e1271 << bitcast<u32>(11i)));
+                                                            let _e1466 = phi_1743_;
+                                                            if _e1412 {
+                                                                phi_1764_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1447_ = (_e1271 >> bitcast<u32>(10i));
+                                                                phi_1764_ = (_e1441 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1310 = phi_1447_;
-                                                            let _e1318 = (_e1111 + 4u);
-                                                            let _e1319 = (_e1318 < _e94);
+                                                            let _e1482 = phi_1764_;
+                                                            let _e1491 = (_e1278 + 4u);
+                                                            let _e1492 = (_e1491 < _e100);
+                                                            if _e1492 {
+                                                                if _e1492 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1494 = global_7.member[_e1491];
+                                                                phi_1791_ = _e1494;
+                                                            } else {
+                                                                phi_1791_ = 0u;
+                                                            }
+                                                            let _e1496 = phi_1791_;
+                                                            let _e1497 = (_e1278 + 5u);
+                                                            let _e1498 = (_e1497 < _e100);
+                                                            if _e1498 {
+                                                                if _e1498 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1500 = global_7.member[_e1497];
+                                                                phi_1806_ = _e1500;
+                                                            } else {
+                                                                phi_1806_ = 0u;
+                                                            }
+                                                            let _e1502 = phi_1806_;
+                                                            if _e1378 {
+                                                                phi_1816_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1816_ = (_e1502 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1511 = phi_1816_;
+                                                            if _e1395 {
+                                                                phi_1837_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1837_ = (_e1502 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1527 = phi_1837_;
+                                                            if _e1412 {
+                                                                phi_1858_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1858_ = (_e1502 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1543 = phi_1858_;
+                                                            phi_2040_ = array<array<f32, 3>, 3>(array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1387, _e1371, _e302) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1404, _e1371, _e369) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1421, _e1371, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1450, _e1435, _e302) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1466, _e1435, _e369) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1482, _e1435, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1511, _e1496, _e302) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1527, _e1496, _e369) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1543, _e1496, _e435) & 2097151u))) - 8388608f) * _e152))));
+                                                            break;
+                                                        }
+                                                        case 2: {
+                                                            let _e1280 = (_e1278 + _e278);
+                                                            let _e1281 = (_e1280 < _e100);
+                                                            if _e1281 {
+                                                                if _e1281 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1283 = global_7.member[_e1280];
+                                                                phi_1886_ = _e1283;
+                                                            } else {
+                                                                phi_1886_ = 0u;
+                                                            }
+                                                            let _e1285 = phi_1886_;
+                                                            let _e1289 = (_e1278 + _e277);
+                                                            let _e1290 = (_e1289 < _e100);
+                                                            if _e1290 {
+                                                                if _e1290 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1292 = global_7.member[_e1289];
+                                                                phi_1904_ = _e1292;
+                                                            } else {
+                                                                phi_1904_ = 0u;
+                                                            }
+                                                            let _e1294 = phi_1904_;
+                                                            let _e1298 = (_e1278 + _e279);
+                                                            let _e1299 = (_e1298 < _e100);
+                                                            if _e1299 {
+                                                                if _e1299 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1301 = global_7.member[_e1298];
+                                                                phi_1922_ = _e1301;
+                                                            } else {
+                                                                phi_1922_ = 0u;
+                                                            }
+                                                            let _e1303 = phi_1922_;
+                                                            let _e1308 = (_e1278 + 3u);
+                                                            let _e1309 = (_e1308 + _e278);
+                                                            let _e1310 = (_e1309 < _e100);
+                                                            if _e1310 {
+                                                                if _e1310 {
+                                                                } else {
+                                                                    phi_4641_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1312 = global_7.member[_e1309];
+                                                                phi_1942_ = _e1312;
+                                                            } else {
+                                                                phi_1942_ = 0u;
+                                                            }
+                                                            let _e1314 = phi_1942_;
+                                                            let _e1318 = (_e1308 + _e277);
+                                                            let _e1319 = (_e1318 < _e100);
                                                             if _e1319 {
                                                                 if _e1319 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1321 = global_7.member[_e1318];
-                                                                phi_1473_ = _e1321;
+                                                                phi_1960_ = _e1321;
                                                             } else {
-                                                                phi_1473_ = 0u;
+                                                                phi_1960_ = 0u;
                                                             }
-                                                            let _e1323 = phi_1473_;
-                                                            let _e1324 = (_e1111 + 5u);
-                                                            let _e1325 = (_e1324 < _e94);
-                                                            if _e1325 {
-                                                                if _e1325 {
+                                                            let _e1323 = phi_1960_;
+                                                            let _e1327 = (_e1308 + _e279);
+                                                            let _e1328 = (_e1327 < _e100);
+                                                            if _e1328 {
+                                                                if _e1328 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1327 = global_7.member[_e1324];
-                                                                phi_1488_ = _e1327;
+                                                                let _e1330 = global_7.member[_e1327];
+                                                                phi_1978_ = _e1330;
                                                             } else {
-                                                                phi_1488_ = 0u;
+                                                                phi_1978_ = 0u;
                                                             }
-                                                            let _e1329 = phi_1488_;
-                                                            if _e1211 {
-                                                                phi_1498_ = ((_e1323 >> bitcast<u32>(21i)) | (_e1329 << bitcast<u32>(11i)));
-                                                            } else {
-                                                                phi_1498_ = (_e1329 >> bitcast<u32>(10i));
-                                                            }
-                                                            let _e1338 = phi_1498_;
-                                                            if _e1227 {
-                                                                phi_1518_ = ((_e1323 >> bitcast<u32>(21i)) | (_e1329 << bitcast<u32>(11i)));
-                                                            } else {
-                                                                phi_1518_ = (_e1329 >> bitcast<u32>(10i));
-                                                            }
-                                                            let _e1353 = phi_1518_;
-                                                            if _e1243 {
-                                                                phi_1538_ = ((_e1323 >> bitcast<u32>(21i)) | (_e1329 << bitcast<u32>(11i)));
-                                                            } else {
-                                                                phi_1538_ = (_e1329 >> bitcast<u32>(10i));
-                                                            }
-                                                            let _e1368 = phi_1538_;
-                                                            phi_1719_ = array<array<f32, 3>, 3>(array<f32, 3>((_e539.member.member.x + (f32(bitcast<i32>((select(_e1220, _e1204, _e296) & 2097151u))) * _e146)), (_e539.member.member.y + (f32(bitcast<i32>((select(_e1236, _e1204, _e333) & 2097151u))) * _e146)), (_e539.member.member.z + (f32(bitcast<i32>((select(_e1252, _e1204, _e369) & 2097151u))) * _e146))), array<f32, 3>((_e539.member.member.x + (f32(bitcast<i32>((select(_e1280, _e1265, _e296) & 2097151u))) * _e146)), (_e539.member.member.y + (f32(bitcast<i32>((select(_e1295, _e1265, _e333) & 2097151u))) * _e146)), (_e539.member.member.z + (f32(bitcast<i32>((select(_e1310, _e1265, _e369) & 2097151u))) * _e146))), array<f32, 3>((_e539.member.member.x + (f32(bitcast<i32>((select(_e1338, _e1323, _e296) & 2097151u))) * _e146)), (_e539.member.member.y + (f32(bitcast<i32>((select(_e1353, _e1323, _e333) & 2097151u))) * _e146)), (_e539.member.member.z + (f32(bitcast<i32>((select(_e1368, _e1323, _e369) & 2097151u))) * _e146))));
-                                                            break;
-                                                        }
-                                                        case 2: {
-                                                            let _e1113 = (_e1111 + _e272);
-                                                            let _e1114 = (_e1113 < _e94);
-                                                            if _e1114 {
-                                                                if _e1114 {
+                                                            let _e1332 = phi_1978_;
+                                                            let _e1337 = (_e1278 + 6u);
+                                                            let _e1338 = (_e1337 + _e278);
+                                                            let _e1339 = (_e1338 < _e100);
+                                                            if _e1339 {
+                                                                if _e1339 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1116 = global_7.member[_e1113];
-                                                                phi_1565_ = _e1116;
+                                                                let _e1341 = global_7.member[_e1338];
+                                                                phi_1998_ = _e1341;
                                                             } else {
-                                                                phi_1565_ = 0u;
+                                                                phi_1998_ = 0u;
                                                             }
-                                                            let _e1118 = phi_1565_;
-                                                            let _e1122 = (_e1111 + _e271);
-                                                            let _e1123 = (_e1122 < _e94);
-                                                            if _e1123 {
-                                                                if _e1123 {
+                                                            let _e1343 = phi_1998_;
+                                                            let _e1347 = (_e1337 + _e277);
+                                                            let _e1348 = (_e1347 < _e100);
+                                                            if _e1348 {
+                                                                if _e1348 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1125 = global_7.member[_e1122];
-                                                                phi_1583_ = _e1125;
+                                                                let _e1350 = global_7.member[_e1347];
+                                                                phi_2016_ = _e1350;
                                                             } else {
-                                                                phi_1583_ = 0u;
+                                                                phi_2016_ = 0u;
                                                             }
-                                                            let _e1127 = phi_1583_;
-                                                            let _e1131 = (_e1111 + _e273);
-                                                            let _e1132 = (_e1131 < _e94);
-                                                            if _e1132 {
-                                                                if _e1132 {
+                                                            let _e1352 = phi_2016_;
+                                                            let _e1356 = (_e1337 + _e279);
+                                                            let _e1357 = (_e1356 < _e100);
+                                                            if _e1357 {
+                                                                if _e1357 {
                                                                 } else {
-                                                                    phi_4214_ = true;
+                                                                    phi_4641_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1134 = global_7.member[_e1131];
-                                                                phi_1601_ = _e1134;
+                                                                let _e1359 = global_7.member[_e1356];
+                                                                phi_2034_ = _e1359;
                                                             } else {
-                                                                phi_1601_ = 0u;
+                                                                phi_2034_ = 0u;
                                                             }
-                                                            let _e1136 = phi_1601_;
-                                                            let _e1141 = (_e1111 + 3u);
-                                                            let _e1142 = (_e1141 + _e272);
-                                                            let _e1143 = (_e1142 < _e94);
-                                                            if _e1143 {
-                                                                if _e1143 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1145 = global_7.member[_e1142];
-                                                                phi_1621_ = _e1145;
-                                                            } else {
-                                                                phi_1621_ = 0u;
-                                                            }
-                                                            let _e1147 = phi_1621_;
-                                                            let _e1151 = (_e1141 + _e271);
-                                                            let _e1152 = (_e1151 < _e94);
-                                                            if _e1152 {
-                                                                if _e1152 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1154 = global_7.member[_e1151];
-                                                                phi_1639_ = _e1154;
-                                                            } else {
-                                                                phi_1639_ = 0u;
-                                                            }
-                                                            let _e1156 = phi_1639_;
-                                                            let _e1160 = (_e1141 + _e273);
-                                                            let _e1161 = (_e1160 < _e94);
-                                                            if _e1161 {
-                                                                if _e1161 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1163 = global_7.member[_e1160];
-                                                                phi_1657_ = _e1163;
-                                                            } else {
-                                                                phi_1657_ = 0u;
-                                                            }
-                                                            let _e1165 = phi_1657_;
-                                                            let _e1170 = (_e1111 + 6u);
-                                                            let _e1171 = (_e1170 + _e272);
-                                                            let _e1172 = (_e1171 < _e94);
-                                                            if _e1172 {
-                                                                if _e1172 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1174 = global_7.member[_e1171];
-                                                                phi_1677_ = _e1174;
-                                                            } else {
-                                                                phi_1677_ = 0u;
-                                                            }
-                                                            let _e1176 = phi_1677_;
-                                                            let _e1180 = (_e1170 + _e271);
-                                                            let _e1181 = (_e1180 < _e94);
-                                                            if _e1181 {
-                                                                if _e1181 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1183 = global_7.member[_e1180];
-                                                                phi_1695_ = _e1183;
-                                                            } else {
-                                                                phi_1695_ = 0u;
-                                                            }
-                                                            let _e1185 = phi_1695_;
-                                                            let _e1189 = (_e1170 + _e273);
-                                                            let _e1190 = (_e1189 < _e94);
-                                                            if _e1190 {
-                                                                if _e1190 {
-                                                                } else {
-                                                                    phi_4214_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1192 = global_7.member[_e1189];
-                                                                phi_1713_ = _e1192;
-                                                            } else {
-                                                                phi_1713_ = 0u;
-                                                            }
-                                                            let _e1194 = phi_1713_;
-                                                            phi_1719_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1118)) * _e146), (f32(bitcast<i32>(_e1127)) * _e146), (f32(bitcast<i32>(_e1136)) * _e146)), array<f32, 3>((f32(bitcast<i32>(_e1147)) * _e146), (f32(bitcast<i32>(_e1156)) * _e146), (f32(bitcast<i32>(_e1165)) * _e146)), array<f32, 3>((f32(bitcast<i32>(_e1176)) * _e146), (f32(bitcast<i32>(_e1185)) * _e146), (f32(bitcast<i32>(_e1194)) * _e146)));
+                                                            let _e1361 = phi_2034_;
+                                                            phi_2040_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1285)) * _e152), (f32(bitcast<i32>(_e1294)) * _e152), (f32(bitcast<i32>(_e1303)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e1314)) * _e152), (f32(bitcast<i32>(_e1323)) * _e152), (f32(bitcast<i32>(_e1332)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e1343)) * _e152), (f32(bitcast<i32>(_e1352)) * _e152), (f32(bitcast<i32>(_e1361)) * _e152)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1719_ = array<array<f32, 3>, 3>();
+                                                            phi_2040_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1468 = phi_1719_;
-                                                    let _e1477 = (_e1468[0][2] - _e377);
-                                                    let _e1480 = (((_e1468[0][0] - _e304) * _e401) - (_e1477 * _e329));
-                                                    let _e1483 = (((_e1468[0][1] - _e341) * _e401) - (_e1477 * _e365));
-                                                    let _e1490 = (_e1468[1][2] - _e377);
-                                                    let _e1493 = (((_e1468[1][0] - _e304) * _e401) - (_e1490 * _e329));
-                                                    let _e1496 = (((_e1468[1][1] - _e341) * _e401) - (_e1490 * _e365));
-                                                    let _e1503 = (_e1468[2][2] - _e377);
-                                                    let _e1506 = (((_e1468[2][0] - _e304) * _e401) - (_e1503 * _e329));
-                                                    let _e1509 = (((_e1468[2][1] - _e341) * _e401) - (_e1503 * _e365));
-                                                    let _e1510 = (_e1506 * _e1496);
-                                                    let _e1511 = (_e1509 * _e1493);
-                                                    let _e1512 = (_e1480 * _e1509);
-                                                    let _e1513 = (_e1483 * _e1506);
-                                                    let _e1514 = (_e1493 * _e1483);
-                                                    let _e1515 = (_e1496 * _e1480);
-                                                    let _e1520 = (((_e1510 >= _e1511) && (_e1512 >= _e1513)) && (_e1514 >= _e1515));
-                                                    if (_e1520 || (((_e1510 <= _e1511) && (_e1512 <= _e1513)) && (_e1514 <= _e1515))) {
-                                                        let _e1527 = select(-1f, 1f, _e1520);
-                                                        let _e1529 = ((_e1510 - _e1511) * _e1527);
-                                                        let _e1531 = select(0f, _e1529, (_e1529 > 0f));
-                                                        let _e1533 = ((_e1512 - _e1513) * _e1527);
-                                                        let _e1535 = select(0f, _e1533, (_e1533 > 0f));
-                                                        let _e1537 = ((_e1514 - _e1515) * _e1527);
-                                                        let _e1539 = select(0f, _e1537, (_e1537 > 0f));
-                                                        let _e1541 = ((_e1531 + _e1535) + _e1539);
-                                                        if (_e1541 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2544_ = type_18();
-                                                            phi_2545_ = true;
-                                                            phi_2546_ = false;
+                                                    let _e1653 = phi_2040_;
+                                                    let _e1662 = (_e1653[0][2] - _e458);
+                                                    let _e1665 = (((_e1653[0][0] - _e325) * _e497) - (_e1662 * _e365));
+                                                    let _e1668 = (((_e1653[0][1] - _e392) * _e497) - (_e1662 * _e431));
+                                                    let _e1675 = (_e1653[1][2] - _e458);
+                                                    let _e1678 = (((_e1653[1][0] - _e325) * _e497) - (_e1675 * _e365));
+                                                    let _e1681 = (((_e1653[1][1] - _e392) * _e497) - (_e1675 * _e431));
+                                                    let _e1688 = (_e1653[2][2] - _e458);
+                                                    let _e1691 = (((_e1653[2][0] - _e325) * _e497) - (_e1688 * _e365));
+                                                    let _e1694 = (((_e1653[2][1] - _e392) * _e497) - (_e1688 * _e431));
+                                                    let _e1695 = (_e1691 * _e1681);
+                                                    let _e1696 = (_e1694 * _e1678);
+                                                    let _e1697 = (_e1665 * _e1694);
+                                                    let _e1698 = (_e1668 * _e1691);
+                                                    let _e1699 = (_e1678 * _e1668);
+                                                    let _e1700 = (_e1681 * _e1665);
+                                                    let _e1705 = (((_e1695 >= _e1696) && (_e1697 >= _e1698)) && (_e1699 >= _e1700));
+                                                    if (_e1705 || (((_e1695 <= _e1696) && (_e1697 <= _e1698)) && (_e1699 <= _e1700))) {
+                                                        let _e1712 = select(-1f, 1f, _e1705);
+                                                        let _e1714 = ((_e1695 - _e1696) * _e1712);
+                                                        let _e1716 = select(0f, _e1714, (_e1714 > 0f));
+                                                        let _e1718 = ((_e1697 - _e1698) * _e1712);
+                                                        let _e1720 = select(0f, _e1718, (_e1718 > 0f));
+                                                        let _e1722 = ((_e1699 - _e1700) * _e1712);
+                                                        let _e1724 = select(0f, _e1722, (_e1722 > 0f));
+                                                        let _e1726 = ((_e1716 + _e1720) + _e1724);
+                                                        if (_e1726 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2865_ = type_18();
+                                                            phi_2866_ = true;
+                                                            phi_2867_ = false;
                                                         } else {
-                                                            let _e1544 = select(_e1493, _e1480, (_e1480 < _e1493));
-                                                            if (select(_e1506, _e1544, (_e1544 < _e1506)) > 0f) {
-                                                                phi_1836_ = true;
+                                                            let _e1729 = select(_e1678, _e1665, (_e1665 < _e1678));
+                                                            if (select(_e1691, _e1729, (_e1729 < _e1691)) > 0f) {
+                                                                phi_2157_ = true;
                                                             } else {
-                                                                let _e1549 = select(_e1493, _e1480, (_e1480 > _e1493));
-                                                                phi_1836_ = (select(_e1506, _e1549, (_e1549 > _e1506)) < 0f);
+                                                                let _e1734 = select(_e1678, _e1665, (_e1665 > _e1678));
+                                                                phi_2157_ = (select(_e1691, _e1734, (_e1734 > _e1691)) < 0f);
                                                             }
-                                                            let _e1554 = phi_1836_;
-                                                            if _e1554 {
-                                                                phi_2541_ = type_18();
-                                                                phi_2542_ = true;
-                                                                phi_2543_ = false;
+                                                            let _e1739 = phi_2157_;
+                                                            if _e1739 {
+                                                                phi_2862_ = type_18();
+                                                                phi_2863_ = true;
+                                                                phi_2864_ = false;
                                                             } else {
-                                                                let _e1556 = select(_e1496, _e1483, (_e1483 < _e1496));
-                                                                if (select(_e1509, _e1556, (_e1556 < _e1509)) > 0f) {
-                                                                    phi_1865_ = true;
+                                                                let _e1741 = select(_e1681, _e1668, (_e1668 < _e1681));
+                                                                if (select(_e1694, _e1741, (_e1741 < _e1694)) > 0f) {
+                                                                    phi_2186_ = true;
                                                                 } else {
-                                                                    let _e1561 = select(_e1496, _e1483, (_e1483 > _e1496));
-                                                                    phi_1865_ = (select(_e1509, _e1561, (_e1561 > _e1509)) < 0f);
+                                                                    let _e1746 = select(_e1681, _e1668, (_e1668 > _e1681));
+                                                                    phi_2186_ = (select(_e1694, _e1746, (_e1746 > _e1694)) < 0f);
                                                                 }
-                                                                let _e1566 = phi_1865_;
-                                                                if _e1566 {
-                                                                    phi_2539_ = type_18();
-                                                                    phi_2540_ = false;
+                                                                let _e1751 = phi_2186_;
+                                                                if _e1751 {
+                                                                    phi_2860_ = type_18();
+                                                                    phi_2861_ = false;
                                                                 } else {
-                                                                    let _e1568 = select(_e1468[1][0], _e1468[0][0], (_e1468[0][0] < _e1468[1][0]));
-                                                                    let _e1572 = select(_e1468[1][0], _e1468[0][0], (_e1468[0][0] > _e1468[1][0]));
-                                                                    let _e1576 = select(_e1468[1][1], _e1468[0][1], (_e1468[0][1] < _e1468[1][1]));
-                                                                    let _e1580 = select(_e1468[1][1], _e1468[0][1], (_e1468[0][1] > _e1468[1][1]));
-                                                                    let _e1584 = select(_e1468[1][2], _e1468[0][2], (_e1468[0][2] < _e1468[1][2]));
-                                                                    let _e1588 = select(_e1468[1][2], _e1468[0][2], (_e1468[0][2] > _e1468[1][2]));
-                                                                    let _e1593 = ((select(_e1468[2][0], _e1568, (_e1568 < _e1468[2][0])) - _e327) * _e332);
-                                                                    let _e1594 = ((select(_e1468[2][0], _e1572, (_e1572 > _e1468[2][0])) - _e328) * _e332);
-                                                                    let _e1597 = ((select(_e1468[2][1], _e1576, (_e1576 < _e1468[2][1])) - _e363) * _e368);
-                                                                    let _e1598 = ((select(_e1468[2][1], _e1580, (_e1580 > _e1468[2][1])) - _e364) * _e368);
-                                                                    let _e1601 = ((select(_e1468[2][2], _e1584, (_e1584 < _e1468[2][2])) - _e399) * _e404);
-                                                                    let _e1602 = ((select(_e1468[2][2], _e1588, (_e1588 > _e1468[2][2])) - _e400) * _e404);
-                                                                    let _e1604 = select(_e1602, _e1601, (_e1601 < _e1602));
-                                                                    let _e1606 = select(_e1602, _e1601, (_e1601 > _e1602));
-                                                                    let _e1608 = select(_e1594, _e1593, (_e1593 < _e1594));
-                                                                    let _e1610 = select(_e1598, _e1597, (_e1597 < _e1598));
-                                                                    let _e1612 = select(_e1610, _e1608, (_e1608 > _e1610));
-                                                                    let _e1614 = select(_e1604, _e1612, (_e1612 > _e1604));
-                                                                    let _e1616 = select(_e1594, _e1593, (_e1593 > _e1594));
-                                                                    let _e1618 = select(_e1598, _e1597, (_e1597 > _e1598));
-                                                                    let _e1620 = select(_e1618, _e1616, (_e1616 < _e1618));
-                                                                    let _e1622 = select(_e1606, _e1620, (_e1620 < _e1606));
-                                                                    let _e1623 = -(_e1604);
-                                                                    let _e1629 = select(_e450, _e1614, (_e1614 > _e450));
-                                                                    if (_e1629 > (_e1622 + (select(_e1623, _e1606, (_e1606 > _e1623)) * 0.0000019073523f))) {
-                                                                        phi_2534_ = type_18();
-                                                                        phi_2535_ = true;
+                                                                    let _e1753 = select(_e1653[1][0], _e1653[0][0], (_e1653[0][0] < _e1653[1][0]));
+                                                                    let _e1757 = select(_e1653[1][0], _e1653[0][0], (_e1653[0][0] > _e1653[1][0]));
+                                                                    let _e1761 = select(_e1653[1][1], _e1653[0][1], (_e1653[0][1] < _e1653[1][1]));
+                                                                    let _e1765 = select(_e1653[1][1], _e1653[0][1], (_e1653[0][1] > _e1653[1][1]));
+                                                                    let _e1769 = select(_e1653[1][2], _e1653[0][2], (_e1653[0][2] < _e1653[1][2]));
+                                                                    let _e1773 = select(_e1653[1][2], _e1653[0][2], (_e1653[0][2] > _e1653[1][2]));
+                                                                    let _e1778 = ((select(_e1653[2][0], _e1753, (_e1753 < _e1653[2][0])) - _e363) * _e368);
+                                                                    let _e1779 = ((select(_e1653[2][0], _e1757, (_e1757 > _e1653[2][0])) - _e364) * _e368);
+                                                                    let _e1782 = ((select(_e1653[2][1], _e1761, (_e1761 < _e1653[2][1])) - _e429) * _e434);
+                                                                    let _e1783 = ((select(_e1653[2][1], _e1765, (_e1765 > _e1653[2][1])) - _e430) * _e434);
+                                                                    let _e1786 = ((select(_e1653[2][2], _e1769, (_e1769 < _e1653[2][2])) - _e495) * _e500);
+                                                                    let _e1787 = ((select(_e1653[2][2], _e1773, (_e1773 > _e1653[2][2])) - _e496) * _e500);
+                                                                    let _e1789 = select(_e1787, _e1786, (_e1786 < _e1787));
+                                                                    let _e1791 = select(_e1787, _e1786, (_e1786 > _e1787));
+                                                                    let _e1793 = select(_e1779, _e1778, (_e1778 < _e1779));
+                                                                    let _e1795 = select(_e1783, _e1782, (_e1782 < _e1783));
+                                                                    let _e1797 = select(_e1795, _e1793, (_e1793 > _e1795));
+                                                                    let _e1799 = select(_e1789, _e1797, (_e1797 > _e1789));
+                                                                    let _e1801 = select(_e1779, _e1778, (_e1778 > _e1779));
+                                                                    let _e1803 = select(_e1783, _e1782, (_e1782 > _e1783));
+                                                                    let _e1805 = select(_e1803, _e1801, (_e1801 < _e1803));
+                                                                    let _e1807 = select(_e1791, _e1805, (_e1805 < _e1791));
+                                                                    let _e1808 = -(_e1789);
+                                                                    let _e1814 = select(_e611, _e1799, (_e1799 > _e611));
+                                                                    if (_e1814 > (_e1807 + (select(_e1808, _e1791, (_e1791 > _e1808)) * 0.0000019073523f))) {
+                                                                        phi_2855_ = type_18();
+                                                                        phi_2856_ = true;
                                                                     } else {
-                                                                        let _e1631 = (_e1629 > _e1033.member.member_1);
-                                                                        if _e1631 {
-                                                                            phi_2533_ = type_18();
+                                                                        let _e1816 = (_e1814 > _e1200.member.member_1);
+                                                                        if _e1816 {
+                                                                            phi_2854_ = type_18();
                                                                         } else {
-                                                                            let _e1632 = vec3<f32>(_e1468[0][0], _e1468[0][1], _e1468[0][2]);
-                                                                            let _e1633 = vec3<f32>(_e1468[1][0], _e1468[1][1], _e1468[1][2]);
-                                                                            let _e1634 = vec3<f32>(_e1468[2][0], _e1468[2][1], _e1468[2][2]);
-                                                                            let _e1635 = (_e1468[1][0] - _e1468[0][0]);
-                                                                            let _e1636 = (_e1468[1][1] - _e1468[0][1]);
-                                                                            let _e1637 = (_e1468[1][2] - _e1468[0][2]);
-                                                                            let _e1638 = vec3<f32>(_e1635, _e1636, _e1637);
-                                                                            let _e1639 = (_e1468[2][0] - _e1468[1][0]);
-                                                                            let _e1640 = (_e1468[2][1] - _e1468[1][1]);
-                                                                            let _e1641 = (_e1468[2][2] - _e1468[1][2]);
-                                                                            let _e1642 = vec3<f32>(_e1639, _e1640, _e1641);
-                                                                            let _e1643 = (_e1468[0][0] - _e1468[2][0]);
-                                                                            let _e1644 = (_e1468[0][1] - _e1468[2][1]);
-                                                                            let _e1645 = (_e1468[0][2] - _e1468[2][2]);
-                                                                            let _e1646 = vec3<f32>(_e1643, _e1644, _e1645);
-                                                                            let _e1649 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
-                                                                            let _e1652 = bitcast<f32>((bitcast<u32>(_e1636) & 2147483647u));
-                                                                            let _e1654 = select(_e1652, _e1649, (_e1649 > _e1652));
-                                                                            let _e1657 = bitcast<f32>((bitcast<u32>(_e1637) & 2147483647u));
-                                                                            let _e1659 = select(_e1657, _e1654, (_e1654 > _e1657));
-                                                                            let _e1662 = bitcast<f32>((bitcast<u32>(_e1639) & 2147483647u));
-                                                                            let _e1665 = bitcast<f32>((bitcast<u32>(_e1640) & 2147483647u));
-                                                                            let _e1667 = select(_e1665, _e1662, (_e1662 > _e1665));
-                                                                            let _e1670 = bitcast<f32>((bitcast<u32>(_e1641) & 2147483647u));
-                                                                            let _e1672 = select(_e1670, _e1667, (_e1667 > _e1670));
-                                                                            let _e1675 = bitcast<f32>((bitcast<u32>(_e1643) & 2147483647u));
-                                                                            let _e1678 = bitcast<f32>((bitcast<u32>(_e1644) & 2147483647u));
-                                                                            let _e1680 = select(_e1678, _e1675, (_e1675 > _e1678));
-                                                                            let _e1683 = bitcast<f32>((bitcast<u32>(_e1645) & 2147483647u));
-                                                                            let _e1685 = select(_e1683, _e1680, (_e1680 > _e1683));
-                                                                            let _e1687 = select(_e1672, _e1659, (_e1659 > _e1672));
-                                                                            let _e1689 = select(_e1685, _e1687, (_e1687 > _e1685));
-                                                                            if (_e1659 == _e1689) {
-                                                                                phi_2266_ = _e1496;
-                                                                                phi_2267_ = _e1493;
-                                                                                phi_2268_ = _e1483;
-                                                                                phi_2269_ = _e1480;
-                                                                                phi_2270_ = _e1632;
-                                                                                phi_2271_ = _e1646;
-                                                                                phi_2272_ = _e1642;
-                                                                                phi_2273_ = _e1638;
+                                                                            let _e1817 = vec3<f32>(_e1653[0][0], _e1653[0][1], _e1653[0][2]);
+                                                                            let _e1818 = vec3<f32>(_e1653[1][0], _e1653[1][1], _e1653[1][2]);
+                                                                            let _e1819 = vec3<f32>(_e1653[2][0], _e1653[2][1], _e1653[2][2]);
+                                                                            let _e1820 = (_e1653[1][0] - _e1653[0][0]);
+                                                                            let _e1821 = (_e1653[1][1] - _e1653[0][1]);
+                                                                            let _e1822 = (_e1653[1][2] - _e1653[0][2]);
+                                                                            let _e1823 = vec3<f32>(_e1820, _e1821, _e1822);
+                                                                            let _e1824 = (_e1653[2][0] - _e1653[1][0]);
+                                                                            let _e1825 = (_e1653[2][1] - _e1653[1][1]);
+                                                                            let _e1826 = (_e1653[2][2] - _e1653[1][2]);
+                                                                            let _e1827 = vec3<f32>(_e1824, _e1825, _e1826);
+                                                                            let _e1828 = (_e1653[0][0] - _e1653[2][0]);
+                                                                            let _e1829 = (_e1653[0][1] - _e1653[2][1]);
+                                                                            let _e1830 = (_e1653[0][2] - _e1653[2][2]);
+                                                                            let _e1831 = vec3<f32>(_e1828, _e1829, _e1830);
+                                                                            let _e1834 = bitcast<f32>((bitcast<u32>(_e1820) & 2147483647u));
+                                                                            let _e1837 = bitcast<f32>((bitcast<u32>(_e1821) & 2147483647u));
+                                                                            let _e1839 = select(_e1837, _e1834, (_e1834 > _e1837));
+                                                                            let _e1842 = bitcast<f32>((bitcast<u32>(_e1822) & 2147483647u));
+                                                                            let _e1844 = select(_e1842, _e1839, (_e1839 > _e1842));
+                                                                            let _e1847 = bitcast<f32>((bitcast<u32>(_e1824) & 2147483647u));
+                                                                            let _e1850 = bitcast<f32>((bitcast<u32>(_e1825) & 2147483647u));
+                                                                            let _e1852 = select(_e1850, _e1847, (_e1847 > _e1850));
+                                                                            let _e1855 = bitcast<f32>((bitcast<u32>(_e1826) & 2147483647u));
+                                                                            let _e1857 = select(_e1855, _e1852, (_e1852 > _e1855));
+                                                                            let _e1860 = bitcast<f32>((bitcast<u32>(_e1828) & 2147483647u));
+                                                                            let _e1863 = bitcast<f32>((bitcast<u32>(_e1829) & 2147483647u));
+                                                                            let _e1865 = select(_e1863, _e1860, (_e1860 > _e1863));
+                                                                            let _e1868 = bitcast<f32>((bitcast<u32>(_e1830) & 2147483647u));
+                                                                            let _e1870 = select(_e1868, _e1865, (_e1865 > _e1868));
+                                                                            let _e1872 = select(_e1857, _e1844, (_e1844 > _e1857));
+                                                                            let _e1874 = select(_e1870, _e1872, (_e1872 > _e1870));
+                                                                            if (_e1844 == _e1874) {
+                                                                                phi_2587_ = _e1681;
+                                                                                phi_2588_ = _e1678;
+                                                                                phi_2589_ = _e1668;
+                                                                                phi_2590_ = _e1665;
+                                                                                phi_2591_ = _e1817;
+                                                                                phi_2592_ = _e1831;
+                                                                                phi_2593_ = _e1827;
+                                                                                phi_2594_ = _e1823;
                                                                             } else {
-                                                                                let _e1691 = (_e1672 == _e1689);
-                                                                                let _e1696 = vec3(_e1691);
-                                                                                phi_2266_ = select(_e1483, _e1509, _e1691);
-                                                                                phi_2267_ = select(_e1480, _e1506, _e1691);
-                                                                                phi_2268_ = select(_e1509, _e1496, _e1691);
-                                                                                phi_2269_ = select(_e1506, _e1493, _e1691);
-                                                                                phi_2270_ = select(_e1634, _e1633, _e1696);
-                                                                                phi_2271_ = select(_e1642, _e1638, _e1696);
-                                                                                phi_2272_ = select(_e1638, _e1646, _e1696);
-                                                                                phi_2273_ = select(_e1646, _e1642, _e1696);
+                                                                                let _e1876 = (_e1857 == _e1874);
+                                                                                let _e1881 = vec3(_e1876);
+                                                                                phi_2587_ = select(_e1668, _e1694, _e1876);
+                                                                                phi_2588_ = select(_e1665, _e1691, _e1876);
+                                                                                phi_2589_ = select(_e1694, _e1681, _e1876);
+                                                                                phi_2590_ = select(_e1691, _e1678, _e1876);
+                                                                                phi_2591_ = select(_e1819, _e1818, _e1881);
+                                                                                phi_2592_ = select(_e1827, _e1823, _e1881);
+                                                                                phi_2593_ = select(_e1823, _e1831, _e1881);
+                                                                                phi_2594_ = select(_e1831, _e1827, _e1881);
                                                                             }
-                                                                            let _e1702 = phi_2266_;
-                                                                            let _e1704 = phi_2267_;
-                                                                            let _e1706 = phi_2268_;
-                                                                            let _e1708 = phi_2269_;
-                                                                            let _e1710 = phi_2270_;
-                                                                            let _e1712 = phi_2271_;
-                                                                            let _e1714 = phi_2272_;
-                                                                            let _e1716 = phi_2273_;
-                                                                            let _e1723 = ((_e1714.y * _e1712.z) - (_e1712.y * _e1714.z));
-                                                                            let _e1728 = ((_e1714.z * _e1712.x) - (_e1712.z * _e1714.x));
-                                                                            let _e1731 = ((_e1714.x * _e1712.y) - (_e1712.x * _e1714.y));
-                                                                            if (_e1531 >= _e1535) {
-                                                                                phi_2304_ = select(true, false, (_e1531 >= _e1539));
+                                                                            let _e1887 = phi_2587_;
+                                                                            let _e1889 = phi_2588_;
+                                                                            let _e1891 = phi_2589_;
+                                                                            let _e1893 = phi_2590_;
+                                                                            let _e1895 = phi_2591_;
+                                                                            let _e1897 = phi_2592_;
+                                                                            let _e1899 = phi_2593_;
+                                                                            let _e1901 = phi_2594_;
+                                                                            let _e1908 = ((_e1899.y * _e1897.z) - (_e1897.y * _e1899.z));
+                                                                            let _e1913 = ((_e1899.z * _e1897.x) - (_e1897.z * _e1899.x));
+                                                                            let _e1916 = ((_e1899.x * _e1897.y) - (_e1897.x * _e1899.y));
+                                                                            if (_e1716 >= _e1720) {
+                                                                                phi_2625_ = select(true, false, (_e1716 >= _e1724));
                                                                             } else {
-                                                                                phi_2304_ = true;
+                                                                                phi_2625_ = true;
                                                                             }
-                                                                            let _e1736 = phi_2304_;
-                                                                            if _e1736 {
-                                                                                phi_2313_ = select(_e1634, _e1633, vec3((_e1535 >= _e1539)));
+                                                                            let _e1921 = phi_2625_;
+                                                                            if _e1921 {
+                                                                                phi_2634_ = select(_e1819, _e1818, vec3((_e1720 >= _e1724)));
                                                                             } else {
-                                                                                phi_2313_ = _e1632;
+                                                                                phi_2634_ = _e1817;
                                                                             }
-                                                                            let _e1741 = phi_2313_;
-                                                                            let _e1752 = (((_e1723 * (_e1741.x - _e304)) + (_e1728 * (_e1741.y - _e341))) + (_e1731 * (_e1741.z - _e377)));
-                                                                            let _e1757 = (((_e1723 * _e329) + (_e1728 * _e365)) + (_e1731 * _e401));
-                                                                            let _e1758 = (_e1704 - _e1708);
-                                                                            let _e1759 = (_e1702 - _e1706);
-                                                                            let _e1767 = (-(((_e1708 * _e1758) + (_e1706 * _e1759))) / ((_e1758 * _e1758) + (_e1759 * _e1759)));
-                                                                            let _e1769 = select(1f, _e1767, (_e1767 < 1f));
-                                                                            let _e1771 = select(0f, _e1769, (_e1769 > 0f));
-                                                                            let _e1784 = ((_e1710.x + (_e1716.x * _e1771)) - _e304);
-                                                                            let _e1785 = ((_e1710.y + (_e1716.y * _e1771)) - _e341);
-                                                                            let _e1786 = ((_e1710.z + (_e1716.z * _e1771)) - _e377);
-                                                                            let _e1787 = (_e1786 / _e401);
-                                                                            let _e1799 = bitcast<f32>((bitcast<u32>(_e1784) & 2147483647u));
-                                                                            let _e1802 = bitcast<f32>((bitcast<u32>(_e1785) & 2147483647u));
-                                                                            let _e1804 = select(_e1802, _e1799, (_e1799 > _e1802));
-                                                                            let _e1807 = bitcast<f32>((bitcast<u32>(_e1786) & 2147483647u));
-                                                                            let _e1809 = select(_e1807, _e1804, (_e1804 > _e1807));
-                                                                            let _e1815 = bitcast<f32>((bitcast<u32>(_e1723) & 2147483647u));
-                                                                            let _e1818 = bitcast<f32>((bitcast<u32>(_e1728) & 2147483647u));
-                                                                            let _e1820 = select(_e1818, _e1815, (_e1815 > _e1818));
-                                                                            let _e1823 = bitcast<f32>((bitcast<u32>(_e1731) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1723 * _e1784) + (_e1728 * _e1785)) + (_e1731 * _e1786)) - _e1752)) & 2147483647u)) <= ((0.0000009536743f * select(_e1689, _e1809, (_e1809 > _e1689))) * select(_e1823, _e1820, (_e1820 > _e1823)))) {
-                                                                                let _e1833 = bitcast<f32>((bitcast<u32>(_e1714.x) & 2147483647u));
-                                                                                let _e1836 = bitcast<f32>((bitcast<u32>(_e1714.y) & 2147483647u));
-                                                                                let _e1838 = select(_e1836, _e1833, (_e1833 > _e1836));
-                                                                                let _e1841 = bitcast<f32>((bitcast<u32>(_e1714.z) & 2147483647u));
-                                                                                let _e1847 = bitcast<f32>((bitcast<u32>(_e1712.x) & 2147483647u));
-                                                                                let _e1850 = bitcast<f32>((bitcast<u32>(_e1712.y) & 2147483647u));
-                                                                                let _e1852 = select(_e1850, _e1847, (_e1847 > _e1850));
-                                                                                let _e1855 = bitcast<f32>((bitcast<u32>(_e1712.z) & 2147483647u));
-                                                                                let _e1859 = (bitcast<f32>((bitcast<u32>(_e1757) & 2147483647u)) > ((0.0000038146973f * select(_e1841, _e1838, (_e1838 > _e1841))) * select(_e1855, _e1852, (_e1852 > _e1855))));
-                                                                                if _e1859 {
-                                                                                    phi_2478_ = (_e1752 / _e1757);
+                                                                            let _e1926 = phi_2634_;
+                                                                            let _e1937 = (((_e1908 * (_e1926.x - _e325)) + (_e1913 * (_e1926.y - _e392))) + (_e1916 * (_e1926.z - _e458)));
+                                                                            let _e1942 = (((_e1908 * _e365) + (_e1913 * _e431)) + (_e1916 * _e497));
+                                                                            let _e1943 = (_e1889 - _e1893);
+                                                                            let _e1944 = (_e1887 - _e1891);
+                                                                            let _e1952 = (-(((_e1893 * _e1943) + (_e1891 * _e1944))) / ((_e1943 * _e1943) + (_e1944 * _e1944)));
+                                                                            let _e1954 = select(1f, _e1952, (_e1952 < 1f));
+                                                                            let _e1956 = select(0f, _e1954, (_e1954 > 0f));
+                                                                            let _e1969 = ((_e1895.x + (_e1901.x * _e1956)) - _e325);
+                                                                            let _e1970 = ((_e1895.y + (_e1901.y * _e1956)) - _e392);
+                                                                            let _e1971 = ((_e1895.z + (_e1901.z * _e1956)) - _e458);
+                                                                            let _e1972 = (_e1971 / _e497);
+                                                                            let _e1984 = bitcast<f32>((bitcast<u32>(_e1969) & 2147483647u));
+                                                                            let _e1987 = bitcast<f32>((bitcast<u32>(_e1970) & 2147483647u));
+                                                                            let _e1989 = select(_e1987, _e1984, (_e1984 > _e1987));
+                                                                            let _e1992 = bitcast<f32>((bitcast<u32>(_e1971) & 2147483647u));
+                                                                            let _e1994 = select(_e1992, _e1989, (_e1989 > _e1992));
+                                                                            let _e2000 = bitcast<f32>((bitcast<u32>(_e1908) & 2147483647u));
+                                                                            let _e2003 = bitcast<f32>((bitcast<u32>(_e1913) & 2147483647u));
+                                                                            let _e2005 = select(_e2003, _e2000, (_e2000 > _e2003));
+                                                                            let _e2008 = bitcast<f32>((bitcast<u32>(_e1916) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1908 * _e1969) + (_e1913 * _e1970)) + (_e1916 * _e1971)) - _e1937)) & 2147483647u)) <= ((0.0000009536743f * select(_e1874, _e1994, (_e1994 > _e1874))) * select(_e2008, _e2005, (_e2005 > _e2008)))) {
+                                                                                let _e2018 = bitcast<f32>((bitcast<u32>(_e1899.x) & 2147483647u));
+                                                                                let _e2021 = bitcast<f32>((bitcast<u32>(_e1899.y) & 2147483647u));
+                                                                                let _e2023 = select(_e2021, _e2018, (_e2018 > _e2021));
+                                                                                let _e2026 = bitcast<f32>((bitcast<u32>(_e1899.z) & 2147483647u));
+                                                                                let _e2032 = bitcast<f32>((bitcast<u32>(_e1897.x) & 2147483647u));
+                                                                                let _e2035 = bitcast<f32>((bitcast<u32>(_e1897.y) & 2147483647u));
+                                                                                let _e2037 = select(_e2035, _e2032, (_e2032 > _e2035));
+                                                                                let _e2040 = bitcast<f32>((bitcast<u32>(_e1897.z) & 2147483647u));
+                                                                                let _e2044 = (bitcast<f32>((bitcast<u32>(_e1942) & 2147483647u)) > ((0.0000038146973f * select(_e2026, _e2023, (_e2023 > _e2026))) * select(_e2040, _e2037, (_e2037 > _e2040))));
+                                                                                if _e2044 {
+                                                                                    phi_2799_ = (_e1937 / _e1942);
                                                                                 } else {
-                                                                                    phi_2478_ = f32();
+                                                                                    phi_2799_ = f32();
                                                                                 }
-                                                                                let _e1862 = phi_2478_;
-                                                                                phi_2480_ = _e1862;
-                                                                                phi_2481_ = select(true, false, _e1859);
+                                                                                let _e2047 = phi_2799_;
+                                                                                phi_2801_ = _e2047;
+                                                                                phi_2802_ = select(true, false, _e2044);
                                                                             } else {
-                                                                                phi_2480_ = f32();
-                                                                                phi_2481_ = true;
+                                                                                phi_2801_ = f32();
+                                                                                phi_2802_ = true;
                                                                             }
-                                                                            let _e1865 = phi_2480_;
-                                                                            let _e1867 = phi_2481_;
-                                                                            if _e1867 {
-                                                                                let _e1875 = (((_e1723 * (_e1784 - (_e329 * _e1787))) + (_e1728 * (_e1785 - (_e365 * _e1787)))) / _e1757);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1875) & 2147483647u)) <= _e1689) {
-                                                                                    phi_2501_ = (_e1787 + _e1875);
+                                                                            let _e2050 = phi_2801_;
+                                                                            let _e2052 = phi_2802_;
+                                                                            if _e2052 {
+                                                                                let _e2060 = (((_e1908 * (_e1969 - (_e365 * _e1972))) + (_e1913 * (_e1970 - (_e431 * _e1972)))) / _e1942);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e2060) & 2147483647u)) <= _e1874) {
+                                                                                    phi_2822_ = (_e1972 + _e2060);
                                                                                 } else {
-                                                                                    phi_2501_ = _e1787;
+                                                                                    phi_2822_ = _e1972;
                                                                                 }
-                                                                                let _e1882 = phi_2501_;
-                                                                                phi_2502_ = _e1882;
+                                                                                let _e2067 = phi_2822_;
+                                                                                phi_2823_ = _e2067;
                                                                             } else {
-                                                                                phi_2502_ = _e1865;
+                                                                                phi_2823_ = _e2050;
                                                                             }
-                                                                            let _e1884 = phi_2502_;
-                                                                            let _e1886 = select(_e1622, _e1884, (_e1884 < _e1622));
-                                                                            let _e1888 = select(_e1614, _e1886, (_e1886 > _e1614));
-                                                                            if (_e1888 >= _e450) {
-                                                                                let _e1890 = (_e1888 <= _e1033.member.member_1);
-                                                                                if _e1890 {
-                                                                                    let _e1891 = (1f / _e1541);
-                                                                                    phi_2525_ = type_18(_e1888, (_e1535 * _e1891), (_e1539 * _e1891), _e1099);
+                                                                            let _e2069 = phi_2823_;
+                                                                            let _e2071 = select(_e1807, _e2069, (_e2069 < _e1807));
+                                                                            let _e2073 = select(_e1799, _e2071, (_e2071 > _e1799));
+                                                                            if (_e2073 >= _e611) {
+                                                                                let _e2075 = (_e2073 <= _e1200.member.member_1);
+                                                                                if _e2075 {
+                                                                                    let _e2076 = (1f / _e1726);
+                                                                                    phi_2846_ = type_18(_e2073, (_e1720 * _e2076), (_e1724 * _e2076), _e1266);
                                                                                 } else {
-                                                                                    phi_2525_ = type_18();
+                                                                                    phi_2846_ = type_18();
                                                                                 }
-                                                                                let _e1896 = phi_2525_;
-                                                                                phi_2527_ = _e1896;
-                                                                                phi_2528_ = select(true, false, _e1890);
+                                                                                let _e2081 = phi_2846_;
+                                                                                phi_2848_ = _e2081;
+                                                                                phi_2849_ = select(true, false, _e2075);
                                                                             } else {
-                                                                                phi_2527_ = type_18();
-                                                                                phi_2528_ = true;
+                                                                                phi_2848_ = type_18();
+                                                                                phi_2849_ = true;
                                                                             }
-                                                                            let _e1899 = phi_2527_;
-                                                                            let _e1901 = phi_2528_;
-                                                                            if _e1901 {
-                                                                                phi_2532_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e2084 = phi_2848_;
+                                                                            let _e2086 = phi_2849_;
+                                                                            if _e2086 {
+                                                                                phi_2853_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2532_ = _e1899;
+                                                                                phi_2853_ = _e2084;
                                                                             }
-                                                                            let _e1903 = phi_2532_;
-                                                                            phi_2533_ = _e1903;
+                                                                            let _e2088 = phi_2853_;
+                                                                            phi_2854_ = _e2088;
                                                                         }
-                                                                        let _e1905 = phi_2533_;
-                                                                        phi_2534_ = _e1905;
-                                                                        phi_2535_ = _e1631;
+                                                                        let _e2090 = phi_2854_;
+                                                                        phi_2855_ = _e2090;
+                                                                        phi_2856_ = _e1816;
                                                                     }
-                                                                    let _e1907 = phi_2534_;
-                                                                    let _e1909 = phi_2535_;
-                                                                    phi_2539_ = _e1907;
-                                                                    phi_2540_ = _e1909;
+                                                                    let _e2092 = phi_2855_;
+                                                                    let _e2094 = phi_2856_;
+                                                                    phi_2860_ = _e2092;
+                                                                    phi_2861_ = _e2094;
                                                                 }
-                                                                let _e1911 = phi_2539_;
-                                                                let _e1913 = phi_2540_;
-                                                                phi_2541_ = _e1911;
-                                                                phi_2542_ = _e1566;
-                                                                phi_2543_ = _e1913;
+                                                                let _e2096 = phi_2860_;
+                                                                let _e2098 = phi_2861_;
+                                                                phi_2862_ = _e2096;
+                                                                phi_2863_ = _e1751;
+                                                                phi_2864_ = _e2098;
                                                             }
-                                                            let _e1915 = phi_2541_;
-                                                            let _e1917 = phi_2542_;
-                                                            let _e1919 = phi_2543_;
-                                                            phi_2544_ = _e1915;
-                                                            phi_2545_ = _e1917;
-                                                            phi_2546_ = _e1919;
+                                                            let _e2100 = phi_2862_;
+                                                            let _e2102 = phi_2863_;
+                                                            let _e2104 = phi_2864_;
+                                                            phi_2865_ = _e2100;
+                                                            phi_2866_ = _e2102;
+                                                            phi_2867_ = _e2104;
                                                         }
-                                                        let _e1921 = phi_2544_;
-                                                        let _e1923 = phi_2545_;
-                                                        let _e1925 = phi_2546_;
-                                                        phi_2554_ = _e1921;
-                                                        phi_2555_ = select(_e1925, true, _e1923);
+                                                        let _e2106 = phi_2865_;
+                                                        let _e2108 = phi_2866_;
+                                                        let _e2110 = phi_2867_;
+                                                        phi_2875_ = _e2106;
+                                                        phi_2876_ = select(_e2110, true, _e2108);
                                                     } else {
-                                                        phi_2554_ = type_18();
-                                                        phi_2555_ = true;
+                                                        phi_2875_ = type_18();
+                                                        phi_2876_ = true;
                                                     }
-                                                    let _e1928 = phi_2554_;
-                                                    let _e1930 = phi_2555_;
-                                                    if _e1930 {
-                                                        phi_2559_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e2113 = phi_2875_;
+                                                    let _e2115 = phi_2876_;
+                                                    if _e2115 {
+                                                        phi_2880_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2559_ = _e1928;
+                                                        phi_2880_ = _e2113;
                                                     }
-                                                    let _e1932 = phi_2559_;
-                                                    if (_e1932.member_3 != 4294967295u) {
-                                                        if (_e1099 != _e456) {
-                                                            if (_e1932.member < _e1033.member.member.member) {
-                                                                phi_2585_ = true;
+                                                    let _e2117 = phi_2880_;
+                                                    if (_e2117.member_3 != 4294967295u) {
+                                                        if (_e1266 != _e617) {
+                                                            if (_e2117.member < _e1200.member.member.member) {
+                                                                phi_2906_ = true;
                                                             } else {
-                                                                if (_e1932.member == _e1033.member.member.member) {
-                                                                    phi_2584_ = (_e1932.member_3 < _e1033.member.member.member_3);
+                                                                if (_e2117.member == _e1200.member.member.member) {
+                                                                    phi_2905_ = (_e2117.member_3 < _e1200.member.member.member_3);
                                                                 } else {
-                                                                    phi_2584_ = false;
+                                                                    phi_2905_ = false;
                                                                 }
-                                                                let _e1947 = phi_2584_;
-                                                                phi_2585_ = _e1947;
+                                                                let _e2132 = phi_2905_;
+                                                                phi_2906_ = _e2132;
                                                             }
-                                                            let _e1949 = phi_2585_;
-                                                            if _e1949 {
-                                                                phi_2592_ = type_38(type_34(_e1932, _e1932.member), _e1060.member_1, _e1060.member_2);
+                                                            let _e2134 = phi_2906_;
+                                                            if _e2134 {
+                                                                phi_2913_ = type_38(type_34(_e2117, _e2117.member), _e1227.member_1, _e1227.member_2);
                                                             } else {
-                                                                phi_2592_ = _e1060;
+                                                                phi_2913_ = _e1227;
                                                             }
-                                                            let _e1956 = phi_2592_;
-                                                            phi_2593_ = _e1956;
+                                                            let _e2141 = phi_2913_;
+                                                            phi_2914_ = _e2141;
                                                         } else {
-                                                            phi_2593_ = _e1060;
+                                                            phi_2914_ = _e1227;
                                                         }
-                                                        let _e1958 = phi_2593_;
-                                                        phi_2594_ = _e1958;
+                                                        let _e2143 = phi_2914_;
+                                                        phi_2915_ = _e2143;
                                                     } else {
-                                                        phi_2594_ = _e1060;
+                                                        phi_2915_ = _e1227;
                                                     }
-                                                    let _e1960 = phi_2594_;
-                                                    phi_998_ = _e1960;
+                                                    let _e2145 = phi_2915_;
+                                                    phi_1301_ = _e2145;
                                                 } else {
-                                                    phi_998_ = type_38();
+                                                    phi_1301_ = type_38();
                                                 }
-                                                let _e1962 = phi_998_;
+                                                let _e2147 = phi_1301_;
                                                 continue;
                                                 continuing {
-                                                    phi_997_ = _e1962;
-                                                    phi_1000_ = _e1048;
-                                                    phi_4214_ = _e497;
-                                                    break if !(_e1054);
+                                                    phi_1300_ = _e2147;
+                                                    phi_1303_ = _e1215;
+                                                    phi_4641_ = _e658;
+                                                    break if !(_e1221);
                                                 }
                                             }
-                                            let _e1965 = phi_4214_;
-                                            phi_4403_ = _e1965;
-                                            if _e1965 {
+                                            let _e2150 = phi_4641_;
+                                            phi_4848_ = _e2150;
+                                            if _e2150 {
                                                 break;
                                             }
-                                            phi_4407_ = _e1965;
-                                            let _e2235 = local_12;
-                                            phi_3837_ = _e2235;
-                                            phi_3838_ = _e539;
-                                            phi_3839_ = false;
-                                            phi_3840_ = _e543;
+                                            phi_4852_ = _e2150;
+                                            let _e2519 = local_12;
+                                            phi_4158_ = _e2519;
+                                            phi_4159_ = _e700;
+                                            phi_4160_ = false;
+                                            phi_4161_ = _e704;
                                         } else {
-                                            if (_e539.member_1 >= _e91) {
-                                                phi_3393_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e700.member_1 >= _e97) {
+                                                phi_3714_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e539.member_1 < _e91) {
+                                                if (_e700.member_1 < _e97) {
                                                 } else {
-                                                    phi_4403_ = true;
+                                                    phi_4848_ = true;
                                                     break;
                                                 }
-                                                let _e561 = (_e272 * 2u);
-                                                let _e563 = ((1u + _e561) % 7u);
-                                                if (_e563 < 7u) {
+                                                let _e722 = (_e278 * 2u);
+                                                let _e724 = ((1u + _e722) % 7u);
+                                                if (_e724 < 7u) {
                                                 } else {
-                                                    phi_4403_ = true;
+                                                    phi_4848_ = true;
                                                     break;
                                                 }
-                                                let _e568 = global_6.member[_e539.member_1][_e563];
-                                                let _e570 = ((_e561 + 2u) % 7u);
-                                                if (_e570 < 7u) {
+                                                let _e729 = global_6.member[_e700.member_1][_e724];
+                                                let _e731 = ((_e722 + 2u) % 7u);
+                                                if (_e731 < 7u) {
                                                 } else {
-                                                    phi_4403_ = true;
+                                                    phi_4848_ = true;
                                                     break;
                                                 }
-                                                let _e575 = global_6.member[_e539.member_1][_e570];
-                                                let _e576 = (_e271 * 2u);
-                                                let _e578 = ((1u + _e576) % 7u);
-                                                if (_e578 < 7u) {
+                                                let _e736 = global_6.member[_e700.member_1][_e731];
+                                                let _e737 = (_e277 * 2u);
+                                                let _e739 = ((1u + _e737) % 7u);
+                                                if (_e739 < 7u) {
                                                 } else {
-                                                    phi_4403_ = true;
+                                                    phi_4848_ = true;
                                                     break;
                                                 }
-                                                let _e583 = global_6.member[_e539.member_1][_e578];
-                                                let _e585 = ((_e576 + 2u) % 7u);
-                                                if (_e585 < 7u) {
+                                                let _e744 = global_6.member[_e700.member_1][_e739];
+                                                let _e746 = ((_e737 + 2u) % 7u);
+                                                if (_e746 < 7u) {
                                                 } else {
-                                                    phi_4403_ = true;
+                                                    phi_4848_ = true;
                                                     break;
                                                 }
-                                                let _e590 = global_6.member[_e539.member_1][_e585];
-                                                let _e591 = (_e273 * 2u);
-                                                let _e593 = ((1u + _e591) % 7u);
-                                                if (_e593 < 7u) {
+                                                let _e751 = global_6.member[_e700.member_1][_e746];
+                                                let _e752 = (_e279 * 2u);
+                                                let _e754 = ((1u + _e752) % 7u);
+                                                if (_e754 < 7u) {
                                                 } else {
-                                                    phi_4403_ = true;
+                                                    phi_4848_ = true;
                                                     break;
                                                 }
-                                                let _e598 = global_6.member[_e539.member_1][_e593];
-                                                let _e600 = ((_e591 + 2u) % 7u);
-                                                if (_e600 < 7u) {
+                                                let _e759 = global_6.member[_e700.member_1][_e754];
+                                                let _e761 = ((_e752 + 2u) % 7u);
+                                                if (_e761 < 7u) {
                                                 } else {
-                                                    phi_4403_ = true;
+                                                    phi_4848_ = true;
                                                     break;
                                                 }
-                                                let _e605 = global_6.member[_e539.member_1][_e600];
-                                                let _e628 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.x - _e539.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e629 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.y - _e539.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e630 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.z - _e539.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e632 = select(_e146, _e628, (_e628 > _e146));
-                                                let _e634 = select(_e146, _e629, (_e629 > _e146));
-                                                let _e636 = select(_e146, _e630, (_e630 > _e146));
-                                                let _e661 = bitcast<u32>((f32(bitcast<i32>((_e568 & 2097151u))) * _e632));
-                                                let _e666 = (bitcast<i32>((_e568 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e669 = bitcast<f32>((_e661 & bitcast<u32>(_e666)));
-                                                let _e670 = bitcast<u32>((f32(bitcast<i32>((_e583 & 2097151u))) * _e634));
-                                                let _e675 = (bitcast<i32>((_e583 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e678 = bitcast<f32>((_e670 & bitcast<u32>(_e675)));
-                                                let _e679 = bitcast<u32>((f32(bitcast<i32>((_e598 & 2097151u))) * _e636));
-                                                let _e684 = (bitcast<i32>((_e598 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e687 = bitcast<f32>((_e679 & bitcast<u32>(_e684)));
-                                                let _e691 = bitcast<f32>((_e661 & bitcast<u32>(~(_e666))));
-                                                let _e695 = bitcast<f32>((_e670 & bitcast<u32>(~(_e675))));
-                                                let _e699 = bitcast<f32>((_e679 & bitcast<u32>(~(_e684))));
-                                                let _e700 = bitcast<u32>((f32(bitcast<i32>((_e575 & 2097151u))) * _e632));
-                                                let _e705 = (bitcast<i32>((_e575 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e708 = bitcast<f32>((_e700 & bitcast<u32>(_e705)));
-                                                let _e709 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e634));
-                                                let _e714 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e717 = bitcast<f32>((_e709 & bitcast<u32>(_e714)));
-                                                let _e718 = bitcast<u32>((f32(bitcast<i32>((_e605 & 2097151u))) * _e636));
-                                                let _e723 = (bitcast<i32>((_e605 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e726 = bitcast<f32>((_e718 & bitcast<u32>(_e723)));
-                                                let _e730 = bitcast<f32>((_e700 & bitcast<u32>(~(_e705))));
-                                                let _e734 = bitcast<f32>((_e709 & bitcast<u32>(~(_e714))));
-                                                let _e738 = bitcast<f32>((_e718 & bitcast<u32>(~(_e723))));
-                                                let _e739 = (_e539.member.member.x + _e669);
-                                                let _e740 = (_e539.member.member.y + _e678);
-                                                let _e741 = (_e539.member.member.z + _e687);
-                                                let _e744 = (_e539.member.member_1.x - _e708);
-                                                let _e745 = (_e539.member.member_1.y - _e717);
-                                                let _e746 = (_e539.member.member_1.z - _e726);
-                                                let _e765 = (_e744 - _e739);
-                                                let _e766 = (_e745 - _e740);
-                                                let _e767 = (_e746 - _e741);
-                                                let _e769 = select(_e766, _e765, (_e765 > _e766));
-                                                let _e771 = select(_e767, _e769, (_e769 > _e767));
-                                                if (_e771 < (1024f * _e146)) {
-                                                    phi_3094_ = 0u;
+                                                let _e766 = global_6.member[_e700.member_1][_e761];
+                                                let _e789 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.x - _e700.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e790 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.y - _e700.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e791 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.z - _e700.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e793 = select(_e152, _e789, (_e789 > _e152));
+                                                let _e795 = select(_e152, _e790, (_e790 > _e152));
+                                                let _e797 = select(_e152, _e791, (_e791 > _e152));
+                                                let _e828 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e729 & 2097151u))) - 8388608f) * _e793));
+                                                let _e833 = (bitcast<i32>((_e729 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e836 = bitcast<f32>((_e828 & bitcast<u32>(_e833)));
+                                                let _e837 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e744 & 2097151u))) - 8388608f) * _e795));
+                                                let _e842 = (bitcast<i32>((_e744 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e845 = bitcast<f32>((_e837 & bitcast<u32>(_e842)));
+                                                let _e846 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e759 & 2097151u))) - 8388608f) * _e797));
+                                                let _e851 = (bitcast<i32>((_e759 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e854 = bitcast<f32>((_e846 & bitcast<u32>(_e851)));
+                                                let _e858 = bitcast<f32>((_e828 & bitcast<u32>(~(_e833))));
+                                                let _e862 = bitcast<f32>((_e837 & bitcast<u32>(~(_e842))));
+                                                let _e866 = bitcast<f32>((_e846 & bitcast<u32>(~(_e851))));
+                                                let _e867 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e736 & 2097151u))) - 8388608f) * _e793));
+                                                let _e872 = (bitcast<i32>((_e736 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e875 = bitcast<f32>((_e867 & bitcast<u32>(_e872)));
+                                                let _e876 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e751 & 2097151u))) - 8388608f) * _e795));
+                                                let _e881 = (bitcast<i32>((_e751 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e884 = bitcast<f32>((_e876 & bitcast<u32>(_e881)));
+                                                let _e885 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e766 & 2097151u))) - 8388608f) * _e797));
+                                                let _e890 = (bitcast<i32>((_e766 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e893 = bitcast<f32>((_e885 & bitcast<u32>(_e890)));
+                                                let _e897 = bitcast<f32>((_e867 & bitcast<u32>(~(_e872))));
+                                                let _e901 = bitcast<f32>((_e876 & bitcast<u32>(~(_e881))));
+                                                let _e905 = bitcast<f32>((_e885 & bitcast<u32>(~(_e890))));
+                                                let _e906 = (_e700.member.member.x + _e836);
+                                                let _e907 = (_e700.member.member.y + _e845);
+                                                let _e908 = (_e700.member.member.z + _e854);
+                                                let _e911 = (_e700.member.member_1.x - _e875);
+                                                let _e912 = (_e700.member.member_1.y - _e884);
+                                                let _e913 = (_e700.member.member_1.z - _e893);
+                                                let _e932 = (_e911 - _e906);
+                                                let _e933 = (_e912 - _e907);
+                                                let _e934 = (_e913 - _e908);
+                                                let _e936 = select(_e933, _e932, (_e932 > _e933));
+                                                let _e938 = select(_e934, _e936, (_e936 > _e934));
+                                                if (_e938 < (1024f * _e152)) {
+                                                    phi_3415_ = 0u;
                                                 } else {
-                                                    phi_3094_ = select(2u, 1u, (_e771 < (2097152f * _e146)));
+                                                    phi_3415_ = select(2u, 1u, (_e938 < (2097152f * _e152)));
                                                 }
-                                                let _e778 = phi_3094_;
-                                                switch bitcast<i32>(_e778) {
+                                                let _e945 = phi_3415_;
+                                                switch bitcast<i32>(_e945) {
                                                     case 0: {
-                                                        phi_3100_ = 1u;
+                                                        phi_3421_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3100_ = 2u;
+                                                        phi_3421_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3100_ = 3u;
+                                                        phi_3421_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3100_ = u32();
+                                                        phi_3421_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e781 = phi_3100_;
-                                                let _e787 = global_6.member[_e539.member_1][0u];
-                                                let _e791 = global_6.member[_e539.member_1][2u];
-                                                let _e795 = global_6.member[_e539.member_1][4u];
-                                                let _e799 = global_6.member[_e539.member_1][6u];
-                                                let _e811 = (((_e791 >> bitcast<u32>(22i)) | ((_e795 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e799 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e812 = (_e787 & 268435455u);
-                                                let _e813 = (_e811 & 268435455u);
-                                                let _e816 = ((_e787 >> bitcast<u32>(28u)) & 7u);
-                                                let _e824 = ((_e787 >> bitcast<u32>(31i)) | (((_e811 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e825 = (_e816 != 0u);
-                                                if (_e816 == 0u) {
-                                                    phi_3355_ = _e812;
+                                                let _e948 = phi_3421_;
+                                                let _e954 = global_6.member[_e700.member_1][0u];
+                                                let _e958 = global_6.member[_e700.member_1][2u];
+                                                let _e962 = global_6.member[_e700.member_1][4u];
+                                                let _e966 = global_6.member[_e700.member_1][6u];
+                                                let _e978 = (((_e958 >> bitcast<u32>(22i)) | ((_e962 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e966 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e979 = (_e954 & 268435455u);
+                                                let _e980 = (_e978 & 268435455u);
+                                                let _e983 = ((_e954 >> bitcast<u32>(28u)) & 7u);
+                                                let _e991 = ((_e954 >> bitcast<u32>(31i)) | (((_e978 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e992 = (_e983 != 0u);
+                                                if (_e983 == 0u) {
+                                                    phi_3676_ = _e979;
                                                 } else {
-                                                    if (_e816 == 7u) {
-                                                        phi_3354_ = 2147483648u;
+                                                    if (_e983 == 7u) {
+                                                        phi_3675_ = 2147483648u;
                                                     } else {
-                                                        phi_3354_ = ((2147483648u | (_e816 << bitcast<u32>(28u))) | (_e813 & 268435455u));
+                                                        phi_3675_ = ((2147483648u | (_e983 << bitcast<u32>(28u))) | (_e980 & 268435455u));
                                                     }
-                                                    let _e834 = phi_3354_;
-                                                    phi_3355_ = _e834;
+                                                    let _e1001 = phi_3675_;
+                                                    phi_3676_ = _e1001;
                                                 }
-                                                let _e836 = phi_3355_;
-                                                if _e825 {
-                                                    let _e837 = (_e816 != 7u);
-                                                    if _e837 {
-                                                        phi_3365_ = (_e813 + (_e816 * ((3u * _e781) + 1u)));
+                                                let _e1003 = phi_3676_;
+                                                if _e992 {
+                                                    let _e1004 = (_e983 != 7u);
+                                                    if _e1004 {
+                                                        phi_3686_ = (_e980 + (_e983 * ((3u * _e948) + 1u)));
                                                     } else {
-                                                        phi_3365_ = u32();
+                                                        phi_3686_ = u32();
                                                     }
-                                                    let _e841 = phi_3365_;
-                                                    phi_3367_ = _e841;
-                                                    phi_3368_ = select(true, false, _e837);
+                                                    let _e1008 = phi_3686_;
+                                                    phi_3688_ = _e1008;
+                                                    phi_3689_ = select(true, false, _e1004);
                                                 } else {
-                                                    phi_3367_ = u32();
-                                                    phi_3368_ = true;
+                                                    phi_3688_ = u32();
+                                                    phi_3689_ = true;
                                                 }
-                                                let _e844 = phi_3367_;
-                                                let _e846 = phi_3368_;
-                                                if (_e824 == 0u) {
-                                                    phi_3389_ = (_e812 + select(0u, 1u, !(_e825)));
+                                                let _e1011 = phi_3688_;
+                                                let _e1013 = phi_3689_;
+                                                if (_e991 == 0u) {
+                                                    phi_3710_ = (_e979 + select(0u, 1u, !(_e992)));
                                                 } else {
-                                                    if (_e824 == 7u) {
-                                                        phi_3388_ = 2147483648u;
+                                                    if (_e991 == 7u) {
+                                                        phi_3709_ = 2147483648u;
                                                     } else {
-                                                        phi_3388_ = ((2147483648u | (_e824 << bitcast<u32>(28u))) | (select(_e844, _e813, _e846) & 268435455u));
+                                                        phi_3709_ = ((2147483648u | (_e991 << bitcast<u32>(28u))) | (select(_e1011, _e980, _e1013) & 268435455u));
                                                     }
-                                                    let _e859 = phi_3388_;
-                                                    phi_3389_ = _e859;
+                                                    let _e1026 = phi_3709_;
+                                                    phi_3710_ = _e1026;
                                                 }
-                                                let _e861 = phi_3389_;
-                                                phi_3393_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e739, (_e539.member.member.x + _e691), _e744, (_e539.member.member_1.x - _e730)), vec4<f32>(_e740, (_e539.member.member.y + _e695), _e745, (_e539.member.member_1.y - _e734)), vec4<f32>(_e741, (_e539.member.member.z + _e699), _e746, (_e539.member.member_1.z - _e738))), type_49(type_30((_e539.member.member + vec4<f32>(_e669, _e678, _e687, 0f)), (_e539.member.member_1 - vec4<f32>(_e708, _e717, _e726, 0f))), _e836), type_49(type_30((_e539.member.member + vec4<f32>(_e691, _e695, _e699, 0f)), (_e539.member.member_1 - vec4<f32>(_e730, _e734, _e738, 0f))), _e861));
+                                                let _e1028 = phi_3710_;
+                                                phi_3714_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e906, (_e700.member.member.x + _e858), _e911, (_e700.member.member_1.x - _e897)), vec4<f32>(_e907, (_e700.member.member.y + _e862), _e912, (_e700.member.member_1.y - _e901)), vec4<f32>(_e908, (_e700.member.member.z + _e866), _e913, (_e700.member.member_1.z - _e905))), type_49(type_30((_e700.member.member + vec4<f32>(_e836, _e845, _e854, 0f)), (_e700.member.member_1 - vec4<f32>(_e875, _e884, _e893, 0f))), _e1003), type_49(type_30((_e700.member.member + vec4<f32>(_e858, _e862, _e866, 0f)), (_e700.member.member_1 - vec4<f32>(_e897, _e901, _e905, 0f))), _e1028));
                                             }
-                                            let _e866 = phi_3393_;
-                                            let _e879 = ((_e866.member[0].x - _e327) * _e332);
-                                            let _e880 = ((_e866.member[0].y - _e327) * _e332);
-                                            let _e881 = ((_e866.member[0].z - _e328) * _e332);
-                                            let _e882 = ((_e866.member[0].w - _e328) * _e332);
-                                            let _e892 = ((_e866.member[1].x - _e363) * _e368);
-                                            let _e893 = ((_e866.member[1].y - _e363) * _e368);
-                                            let _e894 = ((_e866.member[1].z - _e364) * _e368);
-                                            let _e895 = ((_e866.member[1].w - _e364) * _e368);
-                                            let _e905 = ((_e866.member[2].x - _e399) * _e404);
-                                            let _e906 = ((_e866.member[2].y - _e399) * _e404);
-                                            let _e907 = ((_e866.member[2].z - _e400) * _e404);
-                                            let _e908 = ((_e866.member[2].w - _e400) * _e404);
-                                            let _e910 = select(_e907, _e905, (_e905 < _e907));
-                                            let _e912 = select(_e908, _e906, (_e906 < _e908));
-                                            let _e914 = select(_e907, _e905, (_e905 > _e907));
-                                            let _e916 = select(_e908, _e906, (_e906 > _e908));
-                                            let _e918 = select(_e881, _e879, (_e879 < _e881));
-                                            let _e920 = select(_e882, _e880, (_e880 < _e882));
-                                            let _e922 = select(_e894, _e892, (_e892 < _e894));
-                                            let _e924 = select(_e895, _e893, (_e893 < _e895));
-                                            let _e926 = select(_e922, _e918, (_e918 > _e922));
-                                            let _e928 = select(_e924, _e920, (_e920 > _e924));
-                                            let _e930 = select(_e910, _e926, (_e926 > _e910));
-                                            let _e932 = select(_e912, _e928, (_e928 > _e912));
-                                            let _e934 = select(_e881, _e879, (_e879 > _e881));
-                                            let _e936 = select(_e882, _e880, (_e880 > _e882));
-                                            let _e938 = select(_e894, _e892, (_e892 > _e894));
-                                            let _e940 = select(_e895, _e893, (_e893 > _e895));
-                                            let _e942 = select(_e938, _e934, (_e934 < _e938));
-                                            let _e944 = select(_e940, _e936, (_e936 < _e940));
-                                            let _e949 = -(_e910);
-                                            let _e950 = -(_e912);
-                                            let _e957 = (select(_e914, _e942, (_e942 < _e914)) + (select(_e949, _e914, (_e914 > _e949)) * 0.0000019073523f));
-                                            let _e958 = (select(_e916, _e944, (_e944 < _e916)) + (select(_e950, _e916, (_e916 > _e950)) * 0.0000019073523f));
-                                            let _e960 = select(_e450, _e930, (_e930 > _e450));
-                                            let _e962 = select(_e450, _e932, (_e932 > _e450));
-                                            let _e967 = (_e960 <= select(_e499.member.member_1, _e957, (_e957 < _e499.member.member_1)));
-                                            let _e968 = (_e962 <= select(_e499.member.member_1, _e958, (_e958 < _e499.member.member_1)));
-                                            let _e969 = (_e960 <= _e962);
-                                            if _e967 {
-                                                if _e968 {
-                                                    if _e969 {
-                                                        phi_3737_ = _e866.member_2;
+                                            let _e1033 = phi_3714_;
+                                            let _e1046 = ((_e1033.member[0].x - _e363) * _e368);
+                                            let _e1047 = ((_e1033.member[0].y - _e363) * _e368);
+                                            let _e1048 = ((_e1033.member[0].z - _e364) * _e368);
+                                            let _e1049 = ((_e1033.member[0].w - _e364) * _e368);
+                                            let _e1059 = ((_e1033.member[1].x - _e429) * _e434);
+                                            let _e1060 = ((_e1033.member[1].y - _e429) * _e434);
+                                            let _e1061 = ((_e1033.member[1].z - _e430) * _e434);
+                                            let _e1062 = ((_e1033.member[1].w - _e430) * _e434);
+                                            let _e1072 = ((_e1033.member[2].x - _e495) * _e500);
+                                            let _e1073 = ((_e1033.member[2].y - _e495) * _e500);
+                                            let _e1074 = ((_e1033.member[2].z - _e496) * _e500);
+                                            let _e1075 = ((_e1033.member[2].w - _e496) * _e500);
+                                            let _e1077 = select(_e1074, _e1072, (_e1072 < _e1074));
+                                            let _e1079 = select(_e1075, _e1073, (_e1073 < _e1075));
+                                            let _e1081 = select(_e1074, _e1072, (_e1072 > _e1074));
+                                            let _e1083 = select(_e1075, _e1073, (_e1073 > _e1075));
+                                            let _e1085 = select(_e1048, _e1046, (_e1046 < _e1048));
+                                            let _e1087 = select(_e1049, _e1047, (_e1047 < _e1049));
+                                            let _e1089 = select(_e1061, _e1059, (_e1059 < _e1061));
+                                            let _e1091 = select(_e1062, _e1060, (_e1060 < _e1062));
+                                            let _e1093 = select(_e1089, _e1085, (_e1085 > _e1089));
+                                            let _e1095 = select(_e1091, _e1087, (_e1087 > _e1091));
+                                            let _e1097 = select(_e1077, _e1093, (_e1093 > _e1077));
+                                            let _e1099 = select(_e1079, _e1095, (_e1095 > _e1079));
+                                            let _e1101 = select(_e1048, _e1046, (_e1046 > _e1048));
+                                            let _e1103 = select(_e1049, _e1047, (_e1047 > _e1049));
+                                            let _e1105 = select(_e1061, _e1059, (_e1059 > _e1061));
+                                            let _e1107 = select(_e1062, _e1060, (_e1060 > _e1062));
+                                            let _e1109 = select(_e1105, _e1101, (_e1101 < _e1105));
+                                            let _e1111 = select(_e1107, _e1103, (_e1103 < _e1107));
+                                            let _e1116 = -(_e1077);
+                                            let _e1117 = -(_e1079);
+                                            let _e1124 = (select(_e1081, _e1109, (_e1109 < _e1081)) + (select(_e1116, _e1081, (_e1081 > _e1116)) * 0.0000019073523f));
+                                            let _e1125 = (select(_e1083, _e1111, (_e1111 < _e1083)) + (select(_e1117, _e1083, (_e1083 > _e1117)) * 0.0000019073523f));
+                                            let _e1127 = select(_e611, _e1097, (_e1097 > _e611));
+                                            let _e1129 = select(_e611, _e1099, (_e1099 > _e611));
+                                            let _e1134 = (_e1127 <= select(_e660.member.member_1, _e1124, (_e1124 < _e660.member.member_1)));
+                                            let _e1135 = (_e1129 <= select(_e660.member.member_1, _e1125, (_e1125 < _e660.member.member_1)));
+                                            let _e1136 = (_e1127 <= _e1129);
+                                            if _e1134 {
+                                                if _e1135 {
+                                                    if _e1136 {
+                                                        phi_4058_ = _e1033.member_2;
                                                     } else {
-                                                        phi_3737_ = _e866.member_1;
+                                                        phi_4058_ = _e1033.member_1;
                                                     }
-                                                    let _e973 = phi_3737_;
-                                                    let _e995 = (_e543 % 128u);
-                                                    let _e996 = (_e995 < 128u);
-                                                    if _e996 {
+                                                    let _e1140 = phi_4058_;
+                                                    let _e1162 = (_e704 % 128u);
+                                                    let _e1163 = (_e1162 < 128u);
+                                                    if _e1163 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e995] = _e973.member_1;
-                                                    if _e996 {
+                                                    local_8[_e1162] = _e1140.member_1;
+                                                    if _e1163 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e995] = _e973.member.member.x;
-                                                    if _e996 {
+                                                    local_7[_e1162] = _e1140.member.member.x;
+                                                    if _e1163 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e995] = _e973.member.member.y;
-                                                    if _e996 {
+                                                    local_6[_e1162] = _e1140.member.member.y;
+                                                    if _e1163 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e995] = _e973.member.member.z;
-                                                    if _e996 {
+                                                    local_5[_e1162] = _e1140.member.member.z;
+                                                    if _e1163 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e995] = _e973.member.member_1.x;
-                                                    if _e996 {
+                                                    local_4[_e1162] = _e1140.member.member_1.x;
+                                                    if _e1163 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e995] = _e973.member.member_1.y;
-                                                    if _e996 {
+                                                    local_3[_e1162] = _e1140.member.member_1.y;
+                                                    if _e1163 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e995] = _e973.member.member_1.z;
-                                                    if _e996 {
+                                                    local_2[_e1162] = _e1140.member.member_1.z;
+                                                    if _e1163 {
                                                     } else {
-                                                        phi_4403_ = true;
+                                                        phi_4848_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e995] = select(_e962, _e960, (_e960 > _e962));
-                                                    if _e969 {
-                                                        phi_3814_ = _e866.member_1;
+                                                    local_9[_e1162] = select(_e1129, _e1127, (_e1127 > _e1129));
+                                                    if _e1136 {
+                                                        phi_4135_ = _e1033.member_1;
                                                     } else {
-                                                        phi_3814_ = _e866.member_2;
+                                                        phi_4135_ = _e1033.member_2;
                                                     }
-                                                    let _e1009 = phi_3814_;
-                                                    phi_3815_ = _e1009;
-                                                    phi_3816_ = (_e543 + 1u);
+                                                    let _e1176 = phi_4135_;
+                                                    phi_4136_ = _e1176;
+                                                    phi_4137_ = (_e704 + 1u);
                                                 } else {
-                                                    phi_3815_ = type_49();
-                                                    phi_3816_ = u32();
+                                                    phi_4136_ = type_49();
+                                                    phi_4137_ = u32();
                                                 }
-                                                let _e1011 = phi_3815_;
-                                                let _e1013 = phi_3816_;
-                                                phi_3818_ = _e1011;
-                                                phi_3819_ = _e1013;
-                                                phi_3820_ = select(true, false, _e968);
+                                                let _e1178 = phi_4136_;
+                                                let _e1180 = phi_4137_;
+                                                phi_4139_ = _e1178;
+                                                phi_4140_ = _e1180;
+                                                phi_4141_ = select(true, false, _e1135);
                                             } else {
-                                                phi_3818_ = type_49();
-                                                phi_3819_ = u32();
-                                                phi_3820_ = true;
+                                                phi_4139_ = type_49();
+                                                phi_4140_ = u32();
+                                                phi_4141_ = true;
                                             }
-                                            let _e1016 = phi_3818_;
-                                            let _e1018 = phi_3819_;
-                                            let _e1020 = phi_3820_;
-                                            if _e1020 {
-                                                if _e967 {
-                                                    phi_3829_ = _e866.member_1;
+                                            let _e1183 = phi_4139_;
+                                            let _e1185 = phi_4140_;
+                                            let _e1187 = phi_4141_;
+                                            if _e1187 {
+                                                if _e1134 {
+                                                    phi_4150_ = _e1033.member_1;
                                                 } else {
-                                                    phi_3829_ = _e866.member_2;
+                                                    phi_4150_ = _e1033.member_2;
                                                 }
-                                                let _e1024 = phi_3829_;
-                                                phi_3834_ = _e1024;
-                                                phi_3835_ = select(_e968, true, _e967);
+                                                let _e1191 = phi_4150_;
+                                                phi_4155_ = _e1191;
+                                                phi_4156_ = select(_e1135, true, _e1134);
                                             } else {
-                                                phi_3834_ = _e1016;
-                                                phi_3835_ = _e541;
+                                                phi_4155_ = _e1183;
+                                                phi_4156_ = _e702;
                                             }
-                                            let _e1027 = phi_3834_;
-                                            let _e1029 = phi_3835_;
-                                            phi_4407_ = _e497;
-                                            phi_3837_ = type_38(_e499.member, (_e499.member_1 + 1u), _e499.member_2);
-                                            phi_3838_ = _e1027;
-                                            phi_3839_ = _e1029;
-                                            phi_3840_ = select(_e1018, _e543, _e1020);
+                                            let _e1194 = phi_4155_;
+                                            let _e1196 = phi_4156_;
+                                            phi_4852_ = _e658;
+                                            phi_4158_ = type_38(_e660.member, (_e660.member_1 + 1u), _e660.member_2);
+                                            phi_4159_ = _e1194;
+                                            phi_4160_ = _e1196;
+                                            phi_4161_ = select(_e1185, _e704, _e1187);
                                         }
-                                        let _e1967 = phi_4407_;
-                                        let _e1969 = phi_3837_;
-                                        let _e1971 = phi_3838_;
-                                        let _e1973 = phi_3839_;
-                                        let _e1975 = phi_3840_;
-                                        phi_4406_ = _e1967;
-                                        phi_3841_ = _e1969;
-                                        phi_3842_ = _e1971;
-                                        phi_3843_ = (_e503 - 1u);
-                                        phi_3844_ = _e1973;
-                                        phi_3845_ = _e1975;
+                                        let _e2152 = phi_4852_;
+                                        let _e2154 = phi_4158_;
+                                        let _e2156 = phi_4159_;
+                                        let _e2158 = phi_4160_;
+                                        let _e2160 = phi_4161_;
+                                        phi_4851_ = _e2152;
+                                        phi_4162_ = _e2154;
+                                        phi_4163_ = _e2156;
+                                        phi_4164_ = (_e664 - 1u);
+                                        phi_4165_ = _e2158;
+                                        phi_4166_ = _e2160;
                                     } else {
-                                        phi_4406_ = _e497;
-                                        phi_3841_ = _e499;
-                                        phi_3842_ = _e539;
-                                        phi_3843_ = _e503;
-                                        phi_3844_ = _e541;
-                                        phi_3845_ = _e543;
+                                        phi_4851_ = _e658;
+                                        phi_4162_ = _e660;
+                                        phi_4163_ = _e700;
+                                        phi_4164_ = _e664;
+                                        phi_4165_ = _e702;
+                                        phi_4166_ = _e704;
                                     }
-                                    let _e1977 = phi_4406_;
-                                    let _e1979 = phi_3841_;
-                                    let _e1981 = phi_3842_;
-                                    let _e1983 = phi_3843_;
-                                    let _e1985 = phi_3844_;
-                                    let _e1987 = phi_3845_;
-                                    phi_4405_ = _e1977;
-                                    phi_3846_ = _e1979;
-                                    phi_3847_ = _e1981;
-                                    phi_3848_ = _e1983;
-                                    phi_3849_ = _e1985;
-                                    phi_3850_ = _e1987;
+                                    let _e2162 = phi_4851_;
+                                    let _e2164 = phi_4162_;
+                                    let _e2166 = phi_4163_;
+                                    let _e2168 = phi_4164_;
+                                    let _e2170 = phi_4165_;
+                                    let _e2172 = phi_4166_;
+                                    phi_4850_ = _e2162;
+                                    phi_4167_ = _e2164;
+                                    phi_4168_ = _e2166;
+                                    phi_4169_ = _e2168;
+                                    phi_4170_ = _e2170;
+                                    phi_4171_ = _e2172;
                                 } else {
-                                    phi_4405_ = _e497;
-                                    phi_3846_ = type_38();
-                                    phi_3847_ = type_49();
-                                    phi_3848_ = u32();
-                                    phi_3849_ = bool();
-                                    phi_3850_ = u32();
+                                    phi_4850_ = _e658;
+                                    phi_4167_ = type_38();
+                                    phi_4168_ = type_49();
+                                    phi_4169_ = u32();
+                                    phi_4170_ = bool();
+                                    phi_4171_ = u32();
                                 }
-                                let _e1989 = phi_4405_;
-                                let _e1991 = phi_3846_;
-                                let _e1993 = phi_3847_;
-                                let _e1995 = phi_3848_;
-                                let _e1997 = phi_3849_;
-                                let _e1999 = phi_3850_;
-                                phi_4404_ = _e1989;
-                                phi_871_ = _e1991;
-                                phi_874_ = _e1993;
-                                phi_876_ = _e1995;
-                                phi_878_ = _e1997;
-                                phi_880_ = _e1999;
-                                phi_3851_ = _e511;
+                                let _e2174 = phi_4850_;
+                                let _e2176 = phi_4167_;
+                                let _e2178 = phi_4168_;
+                                let _e2180 = phi_4169_;
+                                let _e2182 = phi_4170_;
+                                let _e2184 = phi_4171_;
+                                phi_4849_ = _e2174;
+                                phi_1174_ = _e2176;
+                                phi_1177_ = _e2178;
+                                phi_1179_ = _e2180;
+                                phi_1181_ = _e2182;
+                                phi_1183_ = _e2184;
+                                phi_4172_ = _e672;
                             } else {
-                                phi_4404_ = _e497;
-                                phi_871_ = type_38();
-                                phi_874_ = type_49();
-                                phi_876_ = u32();
-                                phi_878_ = bool();
-                                phi_880_ = u32();
-                                phi_3851_ = false;
+                                phi_4849_ = _e658;
+                                phi_1174_ = type_38();
+                                phi_1177_ = type_49();
+                                phi_1179_ = u32();
+                                phi_1181_ = bool();
+                                phi_1183_ = u32();
+                                phi_4172_ = false;
                             }
-                            let _e2001 = phi_4404_;
-                            let _e2003 = phi_871_;
-                            let _e2005 = phi_874_;
-                            let _e2007 = phi_876_;
-                            let _e2009 = phi_878_;
-                            let _e2011 = phi_880_;
-                            let _e2013 = phi_3851_;
+                            let _e2186 = phi_4849_;
+                            let _e2188 = phi_1174_;
+                            let _e2190 = phi_1177_;
+                            let _e2192 = phi_1179_;
+                            let _e2194 = phi_1181_;
+                            let _e2196 = phi_1183_;
+                            let _e2198 = phi_4172_;
                             continue;
                             continuing {
-                                phi_4220_ = _e2001;
-                                phi_870_ = _e2003;
-                                phi_873_ = _e2005;
-                                phi_875_ = _e2007;
-                                phi_877_ = _e2009;
-                                phi_879_ = _e2011;
-                                phi_4403_ = _e2001;
-                                break if !(_e2013);
+                                phi_4647_ = _e2186;
+                                phi_1173_ = _e2188;
+                                phi_1176_ = _e2190;
+                                phi_1178_ = _e2192;
+                                phi_1180_ = _e2194;
+                                phi_1182_ = _e2196;
+                                phi_4848_ = _e2186;
+                                break if !(_e2198);
                             }
                         }
-                        let _e2016 = phi_4403_;
-                        if _e2016 {
+                        let _e2201 = phi_4848_;
+                        if _e2201 {
                             break;
                         }
-                        let _e2018 = local_10;
-                        if (_e2018.member.member.member_3 != 4294967295u) {
-                            let _e2024 = (_e274 / 3i);
-                            let _e2031 = bitcast<f32>((bitcast<u32>((_e2024 + 127i)) << bitcast<u32>(23i)));
-                            let _e2039 = (((_e2018.member.member.member * _e2031) * _e2031) * bitcast<f32>((bitcast<u32>(((_e274 - (2i * _e2024)) + 127i)) << bitcast<u32>(23i))));
-                            let _e2041 = select(340282350000000000000000000000000000000f, _e2039, (_e2039 < 340282350000000000000000000000000000000f));
-                            phi_3903_ = type_18(select(-340282350000000000000000000000000000000f, _e2041, (_e2041 > -340282350000000000000000000000000000000f)), _e2018.member.member.member_1, _e2018.member.member.member_2, _e2018.member.member.member_3);
+                        let _e2203 = local_10;
+                        if (_e2203.member.member.member_3 != 4294967295u) {
+                            let _e2209 = bitcast<u32>(_e2203.member.member.member);
+                            let _e2213 = (bitcast<i32>((_e2209 >> bitcast<u32>(23i))) & 255i);
+                            let _e2214 = (_e2213 + _e280);
+                            if (_e2213 == 255i) {
+                                phi_4231_ = _e2203.member.member.member;
+                            } else {
+                                if (_e2213 > 0i) {
+                                    if (_e2214 > 0i) {
+                                        let _e2218 = (_e2214 < 255i);
+                                        if _e2218 {
+                                            phi_4210_ = bitcast<f32>((_e2209 + bitcast<u32>((_e280 << bitcast<u32>(23i)))));
+                                        } else {
+                                            phi_4210_ = f32();
+                                        }
+                                        let _e2225 = phi_4210_;
+                                        phi_4212_ = _e2225;
+                                        phi_4213_ = select(true, false, _e2218);
+                                    } else {
+                                        phi_4212_ = f32();
+                                        phi_4213_ = true;
+                                    }
+                                    let _e2228 = phi_4212_;
+                                    let _e2230 = phi_4213_;
+                                    phi_4214_ = _e2228;
+                                    phi_4215_ = _e2230;
+                                } else {
+                                    phi_4214_ = f32();
+                                    phi_4215_ = true;
+                                }
+                                let _e2232 = phi_4214_;
+                                let _e2234 = phi_4215_;
+                                if _e2234 {
+                                    let _e2235 = (_e2209 & 2147483648u);
+                                    let _e2242 = ((_e2209 & 8388607u) | (select(0u, 1u, ((_e2209 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e2246 = (_e2242 == 0u);
+                                    if _e2246 {
+                                        phi_4599_ = bitcast<f32>(_e2235);
+                                    } else {
+                                        let _e2251 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2242)), 32u, _e2246) - 8u);
+                                        let _e2254 = (_e2242 << bitcast<u32>((_e2251 & 31u)));
+                                        let _e2256 = ((_e2214 + select(0i, 1i, (_e2213 == 0i))) - bitcast<i32>(_e2251));
+                                        if (_e2256 >= 255i) {
+                                            phi_4589_ = bitcast<f32>((_e2235 | 2139095040u));
+                                            phi_4590_ = f32();
+                                            phi_4591_ = true;
+                                        } else {
+                                            let _e2258 = (_e2256 > 0i);
+                                            if _e2258 {
+                                                phi_4583_ = bitcast<f32>(((_e2235 | (bitcast<u32>(_e2256) << bitcast<u32>(23i))) | (_e2254 & 8388607u)));
+                                                phi_4584_ = f32();
+                                            } else {
+                                                if (_e2256 < -24i) {
+                                                    phi_4549_ = 26u;
+                                                } else {
+                                                    phi_4549_ = bitcast<u32>((1i - _e2256));
+                                                }
+                                                let _e2263 = phi_4549_;
+                                                let _e2264 = (_e2263 & 31u);
+                                                let _e2266 = (_e2254 >> bitcast<u32>(_e2264));
+                                                let _e2270 = (_e2254 & ((1u << bitcast<u32>(_e2264)) - 1u));
+                                                let _e2274 = (1u << bitcast<u32>(((_e2263 - 1u) & 31u)));
+                                                if (_e2270 > _e2274) {
+                                                    phi_4570_ = true;
+                                                } else {
+                                                    if (_e2270 == _e2274) {
+                                                        phi_4567_ = ((_e2266 & 1u) == 1u);
+                                                    } else {
+                                                        phi_4567_ = false;
+                                                    }
+                                                    let _e2280 = phi_4567_;
+                                                    phi_4570_ = _e2280;
+                                                }
+                                                let _e2282 = phi_4570_;
+                                                phi_4583_ = f32();
+                                                phi_4584_ = bitcast<f32>((_e2235 | (_e2266 + select(0u, 1u, _e2282))));
+                                            }
+                                            let _e2295 = phi_4583_;
+                                            let _e2297 = phi_4584_;
+                                            phi_4589_ = _e2295;
+                                            phi_4590_ = _e2297;
+                                            phi_4591_ = _e2258;
+                                        }
+                                        let _e2301 = phi_4589_;
+                                        let _e2303 = phi_4590_;
+                                        let _e2305 = phi_4591_;
+                                        phi_4599_ = select(_e2303, _e2301, _e2305);
+                                    }
+                                    let _e2309 = phi_4599_;
+                                    phi_4230_ = _e2309;
+                                } else {
+                                    phi_4230_ = _e2232;
+                                }
+                                let _e2311 = phi_4230_;
+                                phi_4231_ = _e2311;
+                            }
+                            let _e2313 = phi_4231_;
+                            let _e2314 = bitcast<u32>(_e2313);
+                            if ((_e2314 & 2147483647u) >= 2139095040u) {
+                                phi_4243_ = bitcast<f32>(((_e2314 & 2147483648u) | 2139095039u));
+                            } else {
+                                phi_4243_ = _e2313;
+                            }
+                            let _e2321 = phi_4243_;
+                            phi_4248_ = type_18(_e2321, _e2203.member.member.member_1, _e2203.member.member.member_2, _e2203.member.member.member_3);
                         } else {
-                            phi_3903_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_4248_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e2048 = phi_3903_;
-                        if _e150 {
+                        let _e2326 = phi_4248_;
+                        if _e156 {
                         } else {
                             break;
                         }
-                        global_1.member[_e134] = _e2048;
-                        let _e2052 = local_11;
-                        if _e151 {
+                        global_1.member[_e140] = _e2326;
+                        let _e2330 = local_11;
+                        if _e157 {
                         } else {
                             break;
                         }
-                        global_4.member[_e134] = _e2052.member_1;
-                        if _e149 {
+                        global_4.member[_e140] = _e2330.member_1;
+                        if _e155 {
                         } else {
                             break;
                         }
-                        let _e2057 = select(0u, 1u, (_e218 <= _e228));
-                        if (_e2057 > 0u) {
-                            let _e2059 = (1u < _e102);
-                            if _e2059 {
-                                if (0u < _e102) {
+                        let _e2335 = select(0u, 1u, (_e224 <= _e234));
+                        if (_e2335 > 0u) {
+                            let _e2337 = (1u < _e108);
+                            if _e2337 {
+                                if (0u < _e108) {
                                 } else {
                                     break;
                                 }
-                                let _e2063 = atomicAdd((&global_5.member[0u]), _e2057);
-                                if ((_e2063 + _e2057) < _e2063) {
-                                    if _e2059 {
+                                let _e2341 = atomicAdd((&global_5.member[0u]), _e2335);
+                                if ((_e2341 + _e2335) < _e2341) {
+                                    if _e2337 {
                                     } else {
                                         break;
                                     }
-                                    let _e2068 = atomicAdd((&global_5.member[1u]), 1u);
+                                    let _e2346 = atomicAdd((&global_5.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e2071 = select(0u, 1u, (_e2048.member_3 != 4294967295u));
-                        if (_e2071 > 0u) {
-                            let _e2073 = (3u < _e102);
-                            if _e2073 {
-                                if (2u < _e102) {
+                        let _e2349 = select(0u, 1u, (_e2326.member_3 != 4294967295u));
+                        if (_e2349 > 0u) {
+                            let _e2351 = (3u < _e108);
+                            if _e2351 {
+                                if (2u < _e108) {
                                 } else {
                                     break;
                                 }
-                                let _e2077 = atomicAdd((&global_5.member[2u]), _e2071);
-                                if ((_e2077 + _e2071) < _e2077) {
-                                    if _e2073 {
+                                let _e2355 = atomicAdd((&global_5.member[2u]), _e2349);
+                                if ((_e2355 + _e2349) < _e2355) {
+                                    if _e2351 {
                                     } else {
                                         break;
                                     }
-                                    let _e2082 = atomicAdd((&global_5.member[3u]), 1u);
+                                    let _e2360 = atomicAdd((&global_5.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e2052.member_1 > 0u) {
-                            let _e2084 = (5u < _e102);
-                            if _e2084 {
-                                if (4u < _e102) {
+                        if (_e2330.member_1 > 0u) {
+                            let _e2362 = (5u < _e108);
+                            if _e2362 {
+                                if (4u < _e108) {
                                 } else {
                                     break;
                                 }
-                                let _e2088 = atomicAdd((&global_5.member[4u]), _e2052.member_1);
-                                if ((_e2088 + _e2052.member_1) < _e2088) {
-                                    if _e2084 {
+                                let _e2366 = atomicAdd((&global_5.member[4u]), _e2330.member_1);
+                                if ((_e2366 + _e2330.member_1) < _e2366) {
+                                    if _e2362 {
                                     } else {
                                         break;
                                     }
-                                    let _e2093 = atomicAdd((&global_5.member[5u]), 1u);
+                                    let _e2371 = atomicAdd((&global_5.member[5u]), 1u);
                                 }
                             }
                         }

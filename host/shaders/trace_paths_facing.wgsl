@@ -115,1319 +115,1506 @@ var<storage, read_write> global_9: type_66;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_223_: u32;
-    var phi_267_: i32;
-    var phi_291_: type_46;
-    var phi_397_: i32;
-    var phi_398_: i32;
-    var phi_408_: bool;
-    var phi_418_: u32;
-    var phi_419_: u32;
-    var phi_421_: bool;
-    var phi_426_: u32;
-    var phi_458_: i32;
-    var phi_476_: f32;
-    var phi_482_: f32;
-    var phi_493_: f32;
-    var phi_499_: f32;
-    var phi_522_: f32;
-    var phi_533_: f32;
-    var phi_542_: f32;
-    var phi_548_: f32;
-    var phi_559_: f32;
-    var phi_565_: f32;
-    var phi_588_: f32;
-    var phi_599_: f32;
-    var phi_608_: f32;
-    var phi_614_: f32;
-    var phi_625_: f32;
-    var phi_631_: f32;
-    var phi_654_: f32;
-    var phi_665_: f32;
-    var phi_765_: f32;
-    var phi_766_: f32;
-    var phi_2802_: bool;
-    var phi_777_: type_49;
-    var phi_780_: u32;
-    var phi_782_: u32;
-    var phi_784_: bool;
-    var phi_786_: u32;
-    var phi_797_: bool;
-    var phi_829_: u32;
-    var phi_830_: bool;
-    var phi_831_: u32;
-    var phi_2239_: type_54;
-    var phi_2583_: u32;
-    var phi_2611_: u32;
-    var phi_2612_: u32;
-    var phi_2613_: u32;
-    var phi_2615_: u32;
-    var phi_2616_: u32;
-    var phi_2617_: bool;
-    var phi_2626_: u32;
-    var phi_2631_: u32;
-    var phi_2632_: bool;
-    var phi_846_: type_49;
-    var phi_849_: type_8;
-    var phi_850_: type_8;
-    var phi_872_: type_8;
-    var phi_893_: u32;
-    var phi_982_: array<array<f32, 3>, 3>;
-    var phi_1099_: bool;
-    var phi_1128_: bool;
-    var phi_1529_: f32;
-    var phi_1530_: f32;
-    var phi_1531_: f32;
-    var phi_1532_: f32;
-    var phi_1533_: vec3<f32>;
-    var phi_1534_: vec3<f32>;
-    var phi_1535_: vec3<f32>;
-    var phi_1536_: vec3<f32>;
-    var phi_1567_: bool;
-    var phi_1576_: vec3<f32>;
-    var phi_1741_: f32;
-    var phi_1743_: f32;
-    var phi_1744_: bool;
-    var phi_1764_: f32;
-    var phi_1765_: f32;
-    var phi_1788_: type_28;
-    var phi_1790_: type_28;
-    var phi_1791_: bool;
-    var phi_1795_: type_28;
-    var phi_1796_: type_28;
-    var phi_1797_: type_28;
-    var phi_1798_: bool;
-    var phi_1802_: type_28;
-    var phi_1803_: bool;
-    var phi_1804_: type_28;
-    var phi_1805_: bool;
-    var phi_1806_: bool;
-    var phi_1807_: type_28;
-    var phi_1808_: bool;
-    var phi_1809_: bool;
-    var phi_1817_: type_28;
-    var phi_1818_: bool;
-    var phi_1822_: type_28;
-    var phi_1845_: u32;
-    var phi_1859_: i32;
-    var phi_1879_: vec3<f32>;
-    var phi_1880_: vec3<f32>;
-    var phi_1896_: vec3<f32>;
-    var phi_1897_: vec3<f32>;
-    var phi_1913_: vec3<f32>;
-    var phi_1914_: vec3<f32>;
-    var phi_1950_: vec3<f32>;
-    var phi_2132_: f32;
-    var phi_2150_: bool;
-    var phi_2151_: bool;
-    var phi_2170_: bool;
-    var phi_2171_: bool;
-    var phi_2177_: type_49;
-    var phi_2178_: type_49;
-    var phi_2179_: type_49;
-    var phi_847_: type_49;
-    var phi_2796_: bool;
-    var phi_2966_: bool;
-    var phi_2634_: type_49;
-    var phi_2635_: u32;
-    var phi_2636_: bool;
-    var phi_2637_: u32;
-    var phi_2965_: bool;
-    var phi_2638_: type_49;
-    var phi_2639_: u32;
-    var phi_2640_: u32;
-    var phi_2641_: bool;
-    var phi_2642_: u32;
-    var phi_2964_: bool;
-    var phi_2643_: type_49;
-    var phi_2644_: u32;
-    var phi_2645_: u32;
-    var phi_2646_: bool;
-    var phi_2647_: u32;
-    var phi_2963_: bool;
-    var phi_778_: type_49;
-    var phi_781_: u32;
-    var phi_783_: u32;
-    var phi_785_: bool;
-    var phi_787_: u32;
-    var phi_2648_: bool;
-    var phi_2962_: bool;
+    var phi_306_: u32;
+    var phi_350_: i32;
+    var phi_490_: type_46;
+    var phi_596_: i32;
+    var phi_597_: i32;
+    var phi_607_: bool;
+    var phi_617_: u32;
+    var phi_618_: u32;
+    var phi_620_: bool;
+    var phi_625_: u32;
+    var phi_657_: i32;
+    var phi_675_: f32;
+    var phi_681_: f32;
+    var phi_721_: f32;
+    var phi_727_: f32;
+    var phi_779_: f32;
+    var phi_790_: f32;
+    var phi_799_: f32;
+    var phi_805_: f32;
+    var phi_845_: f32;
+    var phi_851_: f32;
+    var phi_903_: f32;
+    var phi_914_: f32;
+    var phi_923_: f32;
+    var phi_929_: f32;
+    var phi_969_: f32;
+    var phi_975_: f32;
+    var phi_1027_: f32;
+    var phi_1038_: f32;
+    var phi_1093_: i32;
+    var phi_1115_: u32;
+    var phi_1116_: u32;
+    var phi_1153_: i32;
+    var phi_1175_: u32;
+    var phi_1176_: u32;
+    var phi_1184_: f32;
+    var phi_1185_: f32;
+    var phi_3319_: bool;
+    var phi_1196_: type_49;
+    var phi_1199_: u32;
+    var phi_1201_: u32;
+    var phi_1203_: bool;
+    var phi_1205_: u32;
+    var phi_1216_: bool;
+    var phi_1248_: u32;
+    var phi_1249_: bool;
+    var phi_1250_: u32;
+    var phi_2658_: type_54;
+    var phi_3002_: u32;
+    var phi_3030_: u32;
+    var phi_3031_: u32;
+    var phi_3032_: u32;
+    var phi_3034_: u32;
+    var phi_3035_: u32;
+    var phi_3036_: bool;
+    var phi_3045_: u32;
+    var phi_3050_: u32;
+    var phi_3051_: bool;
+    var phi_1265_: type_49;
+    var phi_1268_: type_8;
+    var phi_1269_: type_8;
+    var phi_1291_: type_8;
+    var phi_1312_: u32;
+    var phi_1401_: array<array<f32, 3>, 3>;
+    var phi_1518_: bool;
+    var phi_1547_: bool;
+    var phi_1948_: f32;
+    var phi_1949_: f32;
+    var phi_1950_: f32;
+    var phi_1951_: f32;
+    var phi_1952_: vec3<f32>;
+    var phi_1953_: vec3<f32>;
+    var phi_1954_: vec3<f32>;
+    var phi_1955_: vec3<f32>;
+    var phi_1986_: bool;
+    var phi_1995_: vec3<f32>;
+    var phi_2160_: f32;
+    var phi_2162_: f32;
+    var phi_2163_: bool;
+    var phi_2183_: f32;
+    var phi_2184_: f32;
+    var phi_2207_: type_28;
+    var phi_2209_: type_28;
+    var phi_2210_: bool;
+    var phi_2214_: type_28;
+    var phi_2215_: type_28;
+    var phi_2216_: type_28;
+    var phi_2217_: bool;
+    var phi_2221_: type_28;
+    var phi_2222_: bool;
+    var phi_2223_: type_28;
+    var phi_2224_: bool;
+    var phi_2225_: bool;
+    var phi_2226_: type_28;
+    var phi_2227_: bool;
+    var phi_2228_: bool;
+    var phi_2236_: type_28;
+    var phi_2237_: bool;
+    var phi_2241_: type_28;
+    var phi_2264_: u32;
+    var phi_2278_: i32;
+    var phi_2298_: vec3<f32>;
+    var phi_2299_: vec3<f32>;
+    var phi_2315_: vec3<f32>;
+    var phi_2316_: vec3<f32>;
+    var phi_2332_: vec3<f32>;
+    var phi_2333_: vec3<f32>;
+    var phi_2369_: vec3<f32>;
+    var phi_2551_: f32;
+    var phi_2569_: bool;
+    var phi_2570_: bool;
+    var phi_2589_: bool;
+    var phi_2590_: bool;
+    var phi_2596_: type_49;
+    var phi_2597_: type_49;
+    var phi_2598_: type_49;
+    var phi_1266_: type_49;
+    var phi_3313_: bool;
+    var phi_3509_: bool;
+    var phi_3053_: type_49;
+    var phi_3054_: u32;
+    var phi_3055_: bool;
+    var phi_3056_: u32;
+    var phi_3508_: bool;
+    var phi_3057_: type_49;
+    var phi_3058_: u32;
+    var phi_3059_: u32;
+    var phi_3060_: bool;
+    var phi_3061_: u32;
+    var phi_3507_: bool;
+    var phi_3062_: type_49;
+    var phi_3063_: u32;
+    var phi_3064_: u32;
+    var phi_3065_: bool;
+    var phi_3066_: u32;
+    var phi_3506_: bool;
+    var phi_1197_: type_49;
+    var phi_1200_: u32;
+    var phi_1202_: u32;
+    var phi_1204_: bool;
+    var phi_1206_: u32;
+    var phi_3067_: bool;
+    var phi_3505_: bool;
     var local_2: type_49;
-    var phi_2700_: type_28;
+    var phi_3105_: f32;
+    var phi_3107_: f32;
+    var phi_3108_: bool;
+    var phi_3109_: f32;
+    var phi_3110_: bool;
+    var phi_3258_: u32;
+    var phi_3276_: bool;
+    var phi_3279_: bool;
+    var phi_3292_: f32;
+    var phi_3293_: f32;
+    var phi_3298_: f32;
+    var phi_3299_: f32;
+    var phi_3300_: bool;
+    var phi_3308_: f32;
+    var phi_3125_: f32;
+    var phi_3126_: f32;
+    var phi_3138_: f32;
+    var phi_3143_: type_28;
     var local_3: type_49;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e76 = global;
-            let _e78 = arrayLength((&global_4.member));
-            let _e80 = arrayLength((&global_2.member));
-            let _e92 = arrayLength((&global_9.member));
-            let _e96 = (_e76.x + (_e76.y * 2097152u));
-            let _e97 = (_e96 < arrayLength((&global_7.member)));
-            if _e97 {
-                if _e97 {
+            let _e84 = global;
+            let _e86 = arrayLength((&global_4.member));
+            let _e88 = arrayLength((&global_2.member));
+            let _e100 = arrayLength((&global_9.member));
+            let _e104 = (_e84.x + (_e84.y * 2097152u));
+            let _e105 = (_e104 < arrayLength((&global_7.member)));
+            if _e105 {
+                if _e105 {
                 } else {
                     break;
                 }
-                let _e101 = global_7.member[_e96].member_2;
-                phi_223_ = _e101;
+                let _e109 = global_7.member[_e104].member_2;
+                phi_306_ = _e109;
             } else {
-                phi_223_ = 4294967295u;
+                phi_306_ = 4294967295u;
             }
-            let _e103 = phi_223_;
-            let _e106 = global_1.member[0u];
-            let _e110 = global_3.member[0u][0u];
-            let _e114 = global_3.member[0u][1u];
-            let _e118 = global_3.member[0u][2u];
-            let _e122 = global_3.member[0u][3u];
-            let _e126 = global_3.member[1u][0u];
-            let _e130 = global_3.member[1u][1u];
-            let _e134 = global_3.member[1u][2u];
-            let _e138 = global_3.member[1u][3u];
-            let _e139 = bitcast<f32>(_e110);
-            let _e140 = bitcast<f32>(_e114);
-            let _e141 = bitcast<f32>(_e118);
-            let _e143 = bitcast<f32>(_e126);
-            let _e144 = array<u32, 3>(_e130, _e134, _e138);
-            let _e146 = bitcast<i32>(_e106);
-            if (_e146 < -126i) {
-                phi_267_ = -126i;
+            let _e111 = phi_306_;
+            let _e114 = global_1.member[0u];
+            let _e118 = global_3.member[0u][0u];
+            let _e122 = global_3.member[0u][1u];
+            let _e126 = global_3.member[0u][2u];
+            let _e130 = global_3.member[0u][3u];
+            let _e134 = global_3.member[1u][0u];
+            let _e138 = global_3.member[1u][1u];
+            let _e142 = global_3.member[1u][2u];
+            let _e146 = global_3.member[1u][3u];
+            let _e147 = bitcast<f32>(_e118);
+            let _e148 = bitcast<f32>(_e122);
+            let _e149 = bitcast<f32>(_e126);
+            let _e151 = bitcast<f32>(_e134);
+            let _e152 = array<u32, 3>(_e138, _e142, _e146);
+            let _e154 = bitcast<i32>(_e114);
+            if (_e154 < -126i) {
+                phi_350_ = -126i;
             } else {
-                phi_267_ = select(_e146, 127i, (_e146 > 127i));
+                phi_350_ = select(_e154, 127i, (_e154 > 127i));
             }
-            let _e151 = phi_267_;
-            let _e156 = bitcast<f32>((bitcast<u32>((_e151 + 127i)) << bitcast<u32>(23i)));
-            let _e162 = bitcast<f32>((bitcast<u32>(((_e146 - _e151) + 127i)) << bitcast<u32>(23i)));
-            if (_e122 == 0u) {
-                phi_291_ = type_46(array<f32, 3>(_e139, _e140, _e141), _e122, _e143, _e144);
+            let _e159 = phi_350_;
+            let _e164 = bitcast<f32>((bitcast<u32>((_e159 + 127i)) << bitcast<u32>(23i)));
+            let _e170 = bitcast<f32>((bitcast<u32>(((_e154 - _e159) + 127i)) << bitcast<u32>(23i)));
+            if (_e130 == 0u) {
+                phi_490_ = type_46(array<f32, 3>(_e147, _e148, _e149), _e130, _e151, _e152);
             } else {
-                phi_291_ = type_46(array<f32, 3>(((_e139 * _e156) * _e162), ((_e140 * _e156) * _e162), ((_e141 * _e156) * _e162)), _e122, ((_e143 * _e156) * _e162), _e144);
+                let _e172 = bitcast<u32>(_e147);
+                let _e174 = ((_e172 & 2139095040u) != 0u);
+                let _e189 = bitcast<u32>(_e148);
+                let _e191 = ((_e189 & 2139095040u) != 0u);
+                let _e206 = bitcast<u32>(_e149);
+                let _e208 = ((_e206 & 2139095040u) != 0u);
+                let _e224 = bitcast<u32>(_e151);
+                let _e226 = ((_e224 & 2139095040u) != 0u);
+                phi_490_ = type_46(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e172 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e172 & 2147483648u))), _e147, _e174) * _e164) * select(0.00000011920929f, 1f, _e174)) * _e170), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e189 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e189 & 2147483648u))), _e148, _e191) * _e164) * select(0.00000011920929f, 1f, _e191)) * _e170), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e206 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e206 & 2147483648u))), _e149, _e208) * _e164) * select(0.00000011920929f, 1f, _e208)) * _e170)), _e130, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e224 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e224 & 2147483648u))), _e151, _e226) * _e164) * select(0.00000011920929f, 1f, _e226)) * _e170), _e152);
             }
-            let _e175 = phi_291_;
-            if _e97 {
-                let _e176 = (_e96 < arrayLength((&global_8.member)));
-                if _e176 {
-                    if _e97 {
+            let _e243 = phi_490_;
+            if _e105 {
+                let _e244 = (_e104 < arrayLength((&global_8.member)));
+                if _e244 {
+                    if _e105 {
                     } else {
                         break;
                     }
-                    let _e186 = global_7.member[_e96].member.member_2[0u];
-                    let _e188 = (bitcast<u32>(_e186) & 2147483647u);
-                    let _e194 = global_7.member[_e96].member.member_2[1u];
-                    let _e196 = (bitcast<u32>(_e194) & 2147483647u);
-                    let _e202 = global_7.member[_e96].member.member_2[2u];
-                    let _e204 = (bitcast<u32>(_e202) & 2147483647u);
-                    let _e210 = global_7.member[_e96].member.member[0u];
-                    let _e212 = (bitcast<u32>(_e210) & 2147483647u);
-                    let _e218 = global_7.member[_e96].member.member[1u];
-                    let _e220 = (bitcast<u32>(_e218) & 2147483647u);
-                    let _e226 = global_7.member[_e96].member.member[2u];
-                    let _e228 = (bitcast<u32>(_e226) & 2147483647u);
-                    let _e230 = select(_e196, _e188, (_e196 < _e188));
-                    let _e232 = select(_e204, _e230, (_e204 < _e230));
-                    let _e234 = select(_e212, _e232, (_e212 < _e232));
-                    let _e236 = select(_e220, _e234, (_e220 < _e234));
-                    let _e238 = select(_e228, _e236, (_e228 < _e236));
-                    let _e243 = global_7.member[_e96].member.member_1;
-                    let _e245 = (bitcast<u32>(_e243) & 2147483647u);
-                    let _e253 = global_7.member[_e96].member.member_3;
-                    let _e259 = (((select(_e245, _e238, (_e245 < _e238)) < 2139095040u) && ((bitcast<u32>(_e253) & 2147483647u) <= 2139095040u)) && (_e232 > 0u));
-                    if _e259 {
-                        let _e262 = (bitcast<u32>(bitcast<f32>(_e232)) & 2147483647u);
-                        if (_e262 >= 8388608u) {
-                            phi_397_ = (bitcast<i32>((_e262 >> bitcast<u32>(23i))) - 127i);
+                    let _e254 = global_7.member[_e104].member.member_2[0u];
+                    let _e256 = (bitcast<u32>(_e254) & 2147483647u);
+                    let _e262 = global_7.member[_e104].member.member_2[1u];
+                    let _e264 = (bitcast<u32>(_e262) & 2147483647u);
+                    let _e270 = global_7.member[_e104].member.member_2[2u];
+                    let _e272 = (bitcast<u32>(_e270) & 2147483647u);
+                    let _e278 = global_7.member[_e104].member.member[0u];
+                    let _e280 = (bitcast<u32>(_e278) & 2147483647u);
+                    let _e286 = global_7.member[_e104].member.member[1u];
+                    let _e288 = (bitcast<u32>(_e286) & 2147483647u);
+                    let _e294 = global_7.member[_e104].member.member[2u];
+                    let _e296 = (bitcast<u32>(_e294) & 2147483647u);
+                    let _e298 = select(_e264, _e256, (_e264 < _e256));
+                    let _e300 = select(_e272, _e298, (_e272 < _e298));
+                    let _e302 = select(_e280, _e300, (_e280 < _e300));
+                    let _e304 = select(_e288, _e302, (_e288 < _e302));
+                    let _e306 = select(_e296, _e304, (_e296 < _e304));
+                    let _e311 = global_7.member[_e104].member.member_1;
+                    let _e312 = bitcast<u32>(_e311);
+                    let _e313 = (_e312 & 2147483647u);
+                    let _e321 = global_7.member[_e104].member.member_3;
+                    let _e322 = bitcast<u32>(_e321);
+                    let _e323 = (_e322 & 2147483647u);
+                    let _e327 = (((select(_e313, _e306, (_e313 < _e306)) < 2139095040u) && (_e323 <= 2139095040u)) && (_e300 > 0u));
+                    if _e327 {
+                        let _e330 = (bitcast<u32>(bitcast<f32>(_e300)) & 2147483647u);
+                        if (_e330 >= 8388608u) {
+                            phi_596_ = (bitcast<i32>((_e330 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_397_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e262)), 32u, (_e262 == 0u))));
+                            phi_596_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e330)), 32u, (_e330 == 0u))));
                         }
-                        let _e276 = phi_397_;
-                        phi_398_ = _e276;
+                        let _e344 = phi_596_;
+                        phi_597_ = _e344;
                     } else {
-                        phi_398_ = 0i;
+                        phi_597_ = 0i;
                     }
-                    let _e278 = phi_398_;
-                    let _e279 = (_e188 == _e232);
-                    if _e279 {
-                        phi_408_ = true;
+                    let _e346 = phi_597_;
+                    let _e347 = (_e256 == _e300);
+                    if _e347 {
+                        phi_607_ = true;
                     } else {
-                        phi_408_ = (_e196 == _e232);
+                        phi_607_ = (_e264 == _e300);
                     }
-                    let _e282 = phi_408_;
-                    let _e283 = select(1u, 0u, _e279);
-                    if _e282 {
-                        let _e284 = (_e283 + 1u);
-                        phi_418_ = _e284;
-                        phi_419_ = _e284;
-                        phi_421_ = select(true, false, (_e284 == 2u));
+                    let _e350 = phi_607_;
+                    let _e351 = select(1u, 0u, _e347);
+                    if _e350 {
+                        let _e352 = (_e351 + 1u);
+                        phi_617_ = _e352;
+                        phi_618_ = _e352;
+                        phi_620_ = select(true, false, (_e352 == 2u));
                     } else {
-                        phi_418_ = u32();
-                        phi_419_ = 0u;
-                        phi_421_ = true;
+                        phi_617_ = u32();
+                        phi_618_ = 0u;
+                        phi_620_ = true;
                     }
-                    let _e288 = phi_418_;
-                    let _e290 = phi_419_;
-                    let _e292 = phi_421_;
-                    if _e292 {
-                        phi_426_ = (_e290 + 1u);
+                    let _e356 = phi_617_;
+                    let _e358 = phi_618_;
+                    let _e360 = phi_620_;
+                    if _e360 {
+                        phi_625_ = (_e358 + 1u);
                     } else {
-                        phi_426_ = 0u;
+                        phi_625_ = 0u;
                     }
-                    let _e296 = phi_426_;
-                    let _e297 = select(_e288, _e290, _e292);
-                    let _e298 = select(_e283, select(2u, _e283, _e282), _e292);
-                    let _e299 = -(_e278);
-                    if (_e299 < -126i) {
-                        phi_458_ = -126i;
+                    let _e364 = phi_625_;
+                    let _e365 = select(_e356, _e358, _e360);
+                    let _e366 = select(_e351, select(2u, _e351, _e350), _e360);
+                    let _e367 = -(_e346);
+                    if (_e367 < -126i) {
+                        phi_657_ = -126i;
                     } else {
-                        phi_458_ = select(_e299, 127i, (_e299 > 127i));
+                        phi_657_ = select(_e367, 127i, (_e367 > 127i));
                     }
-                    let _e304 = phi_458_;
-                    let _e309 = bitcast<f32>((bitcast<u32>((_e304 + 127i)) << bitcast<u32>(23i)));
-                    let _e315 = bitcast<f32>((bitcast<u32>(((_e299 - _e304) + 127i)) << bitcast<u32>(23i)));
-                    let _e320 = global_7.member[_e96].member.member;
-                    let _e321 = (_e297 == 0u);
-                    if _e321 {
-                        phi_476_ = _e320[0];
+                    let _e372 = phi_657_;
+                    let _e377 = bitcast<f32>((bitcast<u32>((_e372 + 127i)) << bitcast<u32>(23i)));
+                    let _e383 = bitcast<f32>((bitcast<u32>(((_e367 - _e372) + 127i)) << bitcast<u32>(23i)));
+                    let _e388 = global_7.member[_e104].member.member;
+                    let _e389 = (_e365 == 0u);
+                    if _e389 {
+                        phi_675_ = _e388[0];
                     } else {
-                        phi_476_ = _e320[1];
+                        phi_675_ = _e388[1];
                     }
-                    let _e325 = phi_476_;
-                    let _e326 = (_e297 == 2u);
-                    if _e326 {
-                        phi_482_ = _e320[2];
-                    } else {
-                        phi_482_ = _e325;
-                    }
-                    let _e329 = phi_482_;
-                    let _e330 = global_7.member[_e96].member.member_2;
-                    if _e321 {
-                        phi_493_ = _e330[0];
-                    } else {
-                        phi_493_ = _e330[1];
-                    }
-                    let _e334 = phi_493_;
-                    if _e326 {
-                        phi_499_ = _e330[2];
-                    } else {
-                        phi_499_ = _e334;
-                    }
-                    let _e337 = phi_499_;
-                    let _e339 = ((_e337 * _e309) * _e315);
-                    let _e343 = (bitcast<f32>((bitcast<u32>(_e339) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e343 {
-                        let _e347 = (bitcast<f32>((bitcast<u32>(_e329) & 2147483647u)) * 0.00000011920929f);
-                        phi_522_ = select(0.00000000000011368684f, _e347, (_e347 > 0.00000000000011368684f));
-                    } else {
-                        phi_522_ = 0f;
-                    }
-                    let _e351 = phi_522_;
-                    let _e352 = (_e329 + _e351);
-                    let _e353 = (_e329 - _e351);
-                    let _e354 = select(_e339, 0f, _e343);
-                    if _e343 {
-                        phi_533_ = 38685626000000000000000000f;
-                    } else {
-                        phi_533_ = (1f / _e339);
-                    }
-                    let _e357 = phi_533_;
-                    let _e358 = (_e296 == 0u);
-                    if _e358 {
-                        phi_542_ = _e320[0];
-                    } else {
-                        phi_542_ = _e320[1];
-                    }
-                    let _e362 = phi_542_;
-                    let _e363 = (_e296 == 2u);
-                    if _e363 {
-                        phi_548_ = _e320[2];
-                    } else {
-                        phi_548_ = _e362;
-                    }
-                    let _e366 = phi_548_;
-                    if _e358 {
-                        phi_559_ = _e330[0];
-                    } else {
-                        phi_559_ = _e330[1];
-                    }
-                    let _e370 = phi_559_;
-                    if _e363 {
-                        phi_565_ = _e330[2];
-                    } else {
-                        phi_565_ = _e370;
-                    }
-                    let _e373 = phi_565_;
-                    let _e375 = ((_e373 * _e309) * _e315);
-                    let _e379 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e379 {
-                        let _e383 = (bitcast<f32>((bitcast<u32>(_e366) & 2147483647u)) * 0.00000011920929f);
-                        phi_588_ = select(0.00000000000011368684f, _e383, (_e383 > 0.00000000000011368684f));
-                    } else {
-                        phi_588_ = 0f;
-                    }
-                    let _e387 = phi_588_;
-                    let _e388 = (_e366 + _e387);
-                    let _e389 = (_e366 - _e387);
-                    let _e390 = select(_e375, 0f, _e379);
-                    if _e379 {
-                        phi_599_ = 38685626000000000000000000f;
-                    } else {
-                        phi_599_ = (1f / _e375);
-                    }
-                    let _e393 = phi_599_;
-                    let _e394 = (_e298 == 0u);
+                    let _e393 = phi_675_;
+                    let _e394 = (_e365 == 2u);
                     if _e394 {
-                        phi_608_ = _e320[0];
+                        phi_681_ = _e388[2];
                     } else {
-                        phi_608_ = _e320[1];
+                        phi_681_ = _e393;
                     }
-                    let _e398 = phi_608_;
-                    let _e399 = (_e298 == 2u);
-                    if _e399 {
-                        phi_614_ = _e320[2];
+                    let _e397 = phi_681_;
+                    let _e398 = bitcast<u32>(_e397);
+                    let _e400 = ((_e398 & 2139095040u) != 0u);
+                    let _e412 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e398 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e398 & 2147483648u))), _e397, _e400) * select(0.00000011920929f, 1f, _e400));
+                    let _e413 = global_7.member[_e104].member.member_2;
+                    if _e389 {
+                        phi_721_ = _e413[0];
                     } else {
-                        phi_614_ = _e398;
+                        phi_721_ = _e413[1];
                     }
-                    let _e402 = phi_614_;
+                    let _e417 = phi_721_;
                     if _e394 {
-                        phi_625_ = _e330[0];
+                        phi_727_ = _e413[2];
                     } else {
-                        phi_625_ = _e330[1];
+                        phi_727_ = _e417;
                     }
-                    let _e406 = phi_625_;
-                    if _e399 {
-                        phi_631_ = _e330[2];
+                    let _e420 = phi_727_;
+                    let _e421 = bitcast<u32>(_e420);
+                    let _e423 = ((_e421 & 2139095040u) != 0u);
+                    let _e437 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e421 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e421 & 2147483648u))), _e420, _e423) * _e377) * select(0.00000011920929f, 1f, _e423)) * _e383);
+                    let _e441 = (bitcast<f32>((bitcast<u32>(_e437) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e441 {
+                        let _e445 = (bitcast<f32>((bitcast<u32>(_e412) & 2147483647u)) * 0.00000011920929f);
+                        phi_779_ = select(0.00000000000011368684f, _e445, (_e445 > 0.00000000000011368684f));
                     } else {
-                        phi_631_ = _e406;
+                        phi_779_ = 0f;
                     }
-                    let _e409 = phi_631_;
-                    let _e411 = ((_e409 * _e309) * _e315);
-                    let _e415 = (bitcast<f32>((bitcast<u32>(_e411) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e415 {
-                        let _e419 = (bitcast<f32>((bitcast<u32>(_e402) & 2147483647u)) * 0.00000011920929f);
-                        phi_654_ = select(0.00000000000011368684f, _e419, (_e419 > 0.00000000000011368684f));
+                    let _e449 = phi_779_;
+                    let _e450 = (_e412 + _e449);
+                    let _e451 = (_e412 - _e449);
+                    let _e452 = select(_e437, 0f, _e441);
+                    if _e441 {
+                        phi_790_ = 38685626000000000000000000f;
                     } else {
-                        phi_654_ = 0f;
+                        phi_790_ = (1f / _e437);
                     }
-                    let _e423 = phi_654_;
-                    let _e424 = (_e402 + _e423);
-                    let _e425 = (_e402 - _e423);
-                    let _e426 = select(_e411, 0f, _e415);
-                    if _e415 {
-                        phi_665_ = 38685626000000000000000000f;
+                    let _e455 = phi_790_;
+                    let _e456 = (_e364 == 0u);
+                    if _e456 {
+                        phi_799_ = _e388[0];
                     } else {
-                        phi_665_ = (1f / _e411);
+                        phi_799_ = _e388[1];
                     }
-                    let _e429 = phi_665_;
-                    let _e432 = bitcast<f32>((bitcast<u32>(_e329) & 2147483647u));
-                    let _e435 = bitcast<f32>((bitcast<u32>(_e366) & 2147483647u));
-                    let _e437 = select(_e435, _e432, (_e432 > _e435));
-                    let _e440 = bitcast<f32>((bitcast<u32>(_e402) & 2147483647u));
-                    if (_e259 && (select(_e440, _e437, (_e437 > _e440)) <= 1099511600000f)) {
-                        let _e445 = (_e278 / 3i);
-                        let _e452 = bitcast<f32>((bitcast<u32>((_e445 + 127i)) << bitcast<u32>(23i)));
-                        let _e459 = bitcast<f32>((bitcast<u32>(((_e278 - (2i * _e445)) + 127i)) << bitcast<u32>(23i)));
-                        let _e460 = (((_e243 * _e452) * _e452) * _e459);
-                        let _e462 = select(340282350000000000000000000000000000000f, _e460, (_e460 < 340282350000000000000000000000000000000f));
-                        let _e467 = (((_e253 * _e452) * _e452) * _e459);
-                        let _e469 = select(340282350000000000000000000000000000000f, _e467, (_e467 < 340282350000000000000000000000000000000f));
-                        phi_765_ = select(-340282350000000000000000000000000000000f, _e469, (_e469 > -340282350000000000000000000000000000000f));
-                        phi_766_ = select(-340282350000000000000000000000000000000f, _e462, (_e462 > -340282350000000000000000000000000000000f));
+                    let _e460 = phi_799_;
+                    let _e461 = (_e364 == 2u);
+                    if _e461 {
+                        phi_805_ = _e388[2];
                     } else {
-                        phi_765_ = 0f;
-                        phi_766_ = 1f;
+                        phi_805_ = _e460;
                     }
-                    let _e473 = phi_765_;
-                    let _e475 = phi_766_;
+                    let _e464 = phi_805_;
+                    let _e465 = bitcast<u32>(_e464);
+                    let _e467 = ((_e465 & 2139095040u) != 0u);
+                    let _e479 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e465 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e465 & 2147483648u))), _e464, _e467) * select(0.00000011920929f, 1f, _e467));
+                    if _e456 {
+                        phi_845_ = _e413[0];
+                    } else {
+                        phi_845_ = _e413[1];
+                    }
+                    let _e483 = phi_845_;
+                    if _e461 {
+                        phi_851_ = _e413[2];
+                    } else {
+                        phi_851_ = _e483;
+                    }
+                    let _e486 = phi_851_;
+                    let _e487 = bitcast<u32>(_e486);
+                    let _e489 = ((_e487 & 2139095040u) != 0u);
+                    let _e503 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e487 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e487 & 2147483648u))), _e486, _e489) * _e377) * select(0.00000011920929f, 1f, _e489)) * _e383);
+                    let _e507 = (bitcast<f32>((bitcast<u32>(_e503) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e507 {
+                        let _e511 = (bitcast<f32>((bitcast<u32>(_e479) & 2147483647u)) * 0.00000011920929f);
+                        phi_903_ = select(0.00000000000011368684f, _e511, (_e511 > 0.00000000000011368684f));
+                    } else {
+                        phi_903_ = 0f;
+                    }
+                    let _e515 = phi_903_;
+                    let _e516 = (_e479 + _e515);
+                    let _e517 = (_e479 - _e515);
+                    let _e518 = select(_e503, 0f, _e507);
+                    if _e507 {
+                        phi_914_ = 38685626000000000000000000f;
+                    } else {
+                        phi_914_ = (1f / _e503);
+                    }
+                    let _e521 = phi_914_;
+                    let _e522 = (_e366 == 0u);
+                    if _e522 {
+                        phi_923_ = _e388[0];
+                    } else {
+                        phi_923_ = _e388[1];
+                    }
+                    let _e526 = phi_923_;
+                    let _e527 = (_e366 == 2u);
+                    if _e527 {
+                        phi_929_ = _e388[2];
+                    } else {
+                        phi_929_ = _e526;
+                    }
+                    let _e530 = phi_929_;
+                    let _e531 = bitcast<u32>(_e530);
+                    let _e533 = ((_e531 & 2139095040u) != 0u);
+                    let _e545 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e531 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e531 & 2147483648u))), _e530, _e533) * select(0.00000011920929f, 1f, _e533));
+                    if _e522 {
+                        phi_969_ = _e413[0];
+                    } else {
+                        phi_969_ = _e413[1];
+                    }
+                    let _e549 = phi_969_;
+                    if _e527 {
+                        phi_975_ = _e413[2];
+                    } else {
+                        phi_975_ = _e549;
+                    }
+                    let _e552 = phi_975_;
+                    let _e553 = bitcast<u32>(_e552);
+                    let _e555 = ((_e553 & 2139095040u) != 0u);
+                    let _e569 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e553 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e553 & 2147483648u))), _e552, _e555) * _e377) * select(0.00000011920929f, 1f, _e555)) * _e383);
+                    let _e573 = (bitcast<f32>((bitcast<u32>(_e569) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e573 {
+                        let _e577 = (bitcast<f32>((bitcast<u32>(_e545) & 2147483647u)) * 0.00000011920929f);
+                        phi_1027_ = select(0.00000000000011368684f, _e577, (_e577 > 0.00000000000011368684f));
+                    } else {
+                        phi_1027_ = 0f;
+                    }
+                    let _e581 = phi_1027_;
+                    let _e582 = (_e545 + _e581);
+                    let _e583 = (_e545 - _e581);
+                    let _e584 = select(_e569, 0f, _e573);
+                    if _e573 {
+                        phi_1038_ = 38685626000000000000000000f;
+                    } else {
+                        phi_1038_ = (1f / _e569);
+                    }
+                    let _e587 = phi_1038_;
+                    let _e590 = bitcast<f32>((bitcast<u32>(_e412) & 2147483647u));
+                    let _e593 = bitcast<f32>((bitcast<u32>(_e479) & 2147483647u));
+                    let _e595 = select(_e593, _e590, (_e590 > _e593));
+                    let _e598 = bitcast<f32>((bitcast<u32>(_e545) & 2147483647u));
+                    if (_e327 && (select(_e598, _e595, (_e595 > _e598)) <= 1099511600000f)) {
+                        let _e610 = ((_e313 & 8388607u) | (select(0u, 1u, ((_e313 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e613 = bitcast<i32>((_e313 >> bitcast<u32>(23i)));
+                        let _e617 = (_e610 == 0u);
+                        let _e620 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e610)), 32u, _e617)) - 8i);
+                        if (_e613 == 255i) {
+                            phi_1093_ = 255i;
+                        } else {
+                            phi_1093_ = (((_e613 + select(0i, 1i, (_e613 == 0i))) - _e620) + _e346);
+                        }
+                        let _e628 = phi_1093_;
+                        let _e638 = (_e628 <= 0i);
+                        if _e638 {
+                            phi_1116_ = u32();
+                        } else {
+                            if _e617 {
+                                phi_1115_ = u32();
+                            } else {
+                                phi_1115_ = select(((bitcast<u32>(_e628) << bitcast<u32>(23i)) | ((_e610 << bitcast<u32>(((_e620 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e628 >= 255i));
+                            }
+                            let _e642 = phi_1115_;
+                            phi_1116_ = _e642;
+                        }
+                        let _e644 = phi_1116_;
+                        let _e656 = ((_e323 & 8388607u) | (select(0u, 1u, ((_e323 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e659 = bitcast<i32>((_e323 >> bitcast<u32>(23i)));
+                        let _e663 = (_e656 == 0u);
+                        let _e666 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e656)), 32u, _e663)) - 8i);
+                        if (_e659 == 255i) {
+                            phi_1153_ = 255i;
+                        } else {
+                            phi_1153_ = (((_e659 + select(0i, 1i, (_e659 == 0i))) - _e666) + _e346);
+                        }
+                        let _e674 = phi_1153_;
+                        let _e684 = (_e674 <= 0i);
+                        if _e684 {
+                            phi_1176_ = u32();
+                        } else {
+                            if _e663 {
+                                phi_1175_ = u32();
+                            } else {
+                                phi_1175_ = select(((bitcast<u32>(_e674) << bitcast<u32>(23i)) | ((_e656 << bitcast<u32>(((_e666 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e674 >= 255i));
+                            }
+                            let _e688 = phi_1175_;
+                            phi_1176_ = _e688;
+                        }
+                        let _e690 = phi_1176_;
+                        phi_1184_ = bitcast<f32>(((_e322 & 2147483648u) | select(_e690, 0u, select(_e663, true, _e684))));
+                        phi_1185_ = bitcast<f32>(((_e312 & 2147483648u) | select(_e644, 0u, select(_e617, true, _e638))));
+                    } else {
+                        phi_1184_ = 0f;
+                        phi_1185_ = 1f;
+                    }
+                    let _e696 = phi_1184_;
+                    let _e698 = phi_1185_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2802_ = false;
-                    phi_777_ = type_49(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e473);
-                    phi_780_ = select(0u, 2147483648u, (_e78 == 0u));
-                    phi_782_ = ((3u * _e78) + 1u);
-                    phi_784_ = (_e475 <= _e473);
-                    phi_786_ = 0u;
+                    phi_3319_ = false;
+                    phi_1196_ = type_49(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e696);
+                    phi_1199_ = select(0u, 2147483648u, (_e86 == 0u));
+                    phi_1201_ = ((3u * _e86) + 1u);
+                    phi_1203_ = (_e698 <= _e696);
+                    phi_1205_ = 0u;
                     loop {
-                        let _e483 = phi_2802_;
-                        let _e485 = phi_777_;
-                        let _e487 = phi_780_;
-                        let _e489 = phi_782_;
-                        let _e491 = phi_784_;
-                        let _e493 = phi_786_;
-                        local_2 = _e485;
-                        if _e491 {
-                            phi_797_ = true;
+                        let _e706 = phi_3319_;
+                        let _e708 = phi_1196_;
+                        let _e710 = phi_1199_;
+                        let _e712 = phi_1201_;
+                        let _e714 = phi_1203_;
+                        let _e716 = phi_1205_;
+                        local_2 = _e708;
+                        if _e714 {
+                            phi_1216_ = true;
                         } else {
-                            phi_797_ = (_e493 > 0u);
+                            phi_1216_ = (_e716 > 0u);
                         }
-                        let _e496 = phi_797_;
-                        if _e496 {
-                            let _e497 = (_e489 > 0u);
-                            if _e497 {
-                                if _e491 {
-                                    phi_829_ = _e487;
-                                    phi_830_ = _e491;
-                                    phi_831_ = _e493;
+                        let _e719 = phi_1216_;
+                        if _e719 {
+                            let _e720 = (_e712 > 0u);
+                            if _e720 {
+                                if _e714 {
+                                    phi_1248_ = _e710;
+                                    phi_1249_ = _e714;
+                                    phi_1250_ = _e716;
                                 } else {
-                                    let _e498 = (_e493 - 1u);
-                                    let _e499 = (_e498 % 128u);
-                                    let _e500 = (_e499 < 128u);
-                                    if _e500 {
+                                    let _e721 = (_e716 - 1u);
+                                    let _e722 = (_e721 % 128u);
+                                    let _e723 = (_e722 < 128u);
+                                    if _e723 {
                                     } else {
-                                        phi_2962_ = true;
+                                        phi_3505_ = true;
                                         break;
                                     }
-                                    let _e502 = local_1[_e499];
-                                    if _e500 {
+                                    let _e725 = local_1[_e722];
+                                    if _e723 {
                                     } else {
-                                        phi_2962_ = true;
+                                        phi_3505_ = true;
                                         break;
                                     }
-                                    let _e504 = local[_e499];
-                                    phi_829_ = _e502;
-                                    phi_830_ = (_e504 <= _e485.member_1);
-                                    phi_831_ = _e498;
+                                    let _e727 = local[_e722];
+                                    phi_1248_ = _e725;
+                                    phi_1249_ = (_e727 <= _e708.member_1);
+                                    phi_1250_ = _e721;
                                 }
-                                let _e508 = phi_829_;
-                                let _e510 = phi_830_;
-                                let _e512 = phi_831_;
-                                if _e510 {
-                                    if ((_e508 & 2147483648u) != 0u) {
-                                        phi_846_ = _e485;
-                                        phi_849_ = type_8(0u, ((_e508 >> bitcast<u32>(28u)) & 7u));
+                                let _e731 = phi_1248_;
+                                let _e733 = phi_1249_;
+                                let _e735 = phi_1250_;
+                                if _e733 {
+                                    if ((_e731 & 2147483648u) != 0u) {
+                                        phi_1265_ = _e708;
+                                        phi_1268_ = type_8(0u, ((_e731 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e710 = phi_846_;
-                                            let _e712 = phi_849_;
-                                            local_3 = _e710;
-                                            if (_e712.member < _e712.member_1) {
-                                                phi_850_ = type_8((_e712.member + 1u), _e712.member_1);
-                                                phi_872_ = type_8(1u, _e712.member);
+                                            let _e933 = phi_1265_;
+                                            let _e935 = phi_1268_;
+                                            local_3 = _e933;
+                                            if (_e935.member < _e935.member_1) {
+                                                phi_1269_ = type_8((_e935.member + 1u), _e935.member_1);
+                                                phi_1291_ = type_8(1u, _e935.member);
                                             } else {
-                                                phi_850_ = _e712;
-                                                phi_872_ = type_8(0u, type_8().member_1);
+                                                phi_1269_ = _e935;
+                                                phi_1291_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e725 = phi_850_;
-                                            let _e727 = phi_872_;
-                                            let _e731 = (bitcast<i32>(_e727.member) != 0i);
-                                            if _e731 {
-                                                let _e732 = ((_e508 & 268435455u) + _e727.member_1);
-                                                let _e733 = (_e732 < _e80);
-                                                if _e733 {
-                                                    if _e733 {
+                                            let _e948 = phi_1269_;
+                                            let _e950 = phi_1291_;
+                                            let _e954 = (bitcast<i32>(_e950.member) != 0i);
+                                            if _e954 {
+                                                let _e955 = ((_e731 & 268435455u) + _e950.member_1);
+                                                let _e956 = (_e955 < _e88);
+                                                if _e956 {
+                                                    if _e956 {
                                                     } else {
-                                                        phi_2796_ = true;
+                                                        phi_3313_ = true;
                                                         break;
                                                     }
-                                                    let _e737 = global_2.member[_e732].member_1;
-                                                    phi_893_ = _e737;
+                                                    let _e960 = global_2.member[_e955].member_1;
+                                                    phi_1312_ = _e960;
                                                 } else {
-                                                    phi_893_ = 4294967295u;
+                                                    phi_1312_ = 4294967295u;
                                                 }
-                                                let _e739 = phi_893_;
-                                                if (_e732 >= _e80) {
-                                                    phi_982_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e962 = phi_1312_;
+                                                if (_e955 >= _e88) {
+                                                    phi_1401_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e733 {
+                                                    if _e956 {
                                                     } else {
-                                                        phi_2796_ = true;
+                                                        phi_3313_ = true;
                                                         break;
                                                     }
-                                                    let _e741 = (_e297 % 3u);
-                                                    let _e742 = (_e296 % 3u);
-                                                    let _e743 = (_e298 % 3u);
-                                                    if (_e741 < 9u) {
+                                                    let _e964 = (_e365 % 3u);
+                                                    let _e965 = (_e364 % 3u);
+                                                    let _e966 = (_e366 % 3u);
+                                                    if (_e964 < 9u) {
                                                     } else {
-                                                        phi_2796_ = true;
+                                                        phi_3313_ = true;
                                                         break;
                                                     }
-                                                    let _e749 = global_2.member[_e732].member[_e741];
-                                                    if (_e742 < 9u) {
+                                                    let _e972 = global_2.member[_e955].member[_e964];
+                                                    if (_e965 < 9u) {
                                                     } else {
-                                                        phi_2796_ = true;
+                                                        phi_3313_ = true;
                                                         break;
                                                     }
-                                                    let _e755 = global_2.member[_e732].member[_e742];
-                                                    if (_e743 < 9u) {
+                                                    let _e978 = global_2.member[_e955].member[_e965];
+                                                    if (_e966 < 9u) {
                                                     } else {
-                                                        phi_2796_ = true;
+                                                        phi_3313_ = true;
                                                         break;
                                                     }
-                                                    let _e761 = global_2.member[_e732].member[_e743];
-                                                    let _e763 = (3u + _e741);
-                                                    if (_e763 < 9u) {
+                                                    let _e984 = global_2.member[_e955].member[_e966];
+                                                    let _e986 = (3u + _e964);
+                                                    if (_e986 < 9u) {
                                                     } else {
-                                                        phi_2796_ = true;
+                                                        phi_3313_ = true;
                                                         break;
                                                     }
-                                                    let _e769 = global_2.member[_e732].member[_e763];
-                                                    let _e770 = (3u + _e742);
-                                                    if (_e770 < 9u) {
+                                                    let _e992 = global_2.member[_e955].member[_e986];
+                                                    let _e993 = (3u + _e965);
+                                                    if (_e993 < 9u) {
                                                     } else {
-                                                        phi_2796_ = true;
+                                                        phi_3313_ = true;
                                                         break;
                                                     }
-                                                    let _e776 = global_2.member[_e732].member[_e770];
-                                                    let _e777 = (3u + _e743);
-                                                    if (_e777 < 9u) {
+                                                    let _e999 = global_2.member[_e955].member[_e993];
+                                                    let _e1000 = (3u + _e966);
+                                                    if (_e1000 < 9u) {
                                                     } else {
-                                                        phi_2796_ = true;
+                                                        phi_3313_ = true;
                                                         break;
                                                     }
-                                                    let _e783 = global_2.member[_e732].member[_e777];
-                                                    let _e785 = (6u + _e741);
-                                                    if (_e785 < 9u) {
+                                                    let _e1006 = global_2.member[_e955].member[_e1000];
+                                                    let _e1008 = (6u + _e964);
+                                                    if (_e1008 < 9u) {
                                                     } else {
-                                                        phi_2796_ = true;
+                                                        phi_3313_ = true;
                                                         break;
                                                     }
-                                                    let _e791 = global_2.member[_e732].member[_e785];
-                                                    let _e792 = (6u + _e742);
-                                                    if (_e792 < 9u) {
+                                                    let _e1014 = global_2.member[_e955].member[_e1008];
+                                                    let _e1015 = (6u + _e965);
+                                                    if (_e1015 < 9u) {
                                                     } else {
-                                                        phi_2796_ = true;
+                                                        phi_3313_ = true;
                                                         break;
                                                     }
-                                                    let _e798 = global_2.member[_e732].member[_e792];
-                                                    let _e799 = (6u + _e743);
-                                                    if (_e799 < 9u) {
+                                                    let _e1021 = global_2.member[_e955].member[_e1015];
+                                                    let _e1022 = (6u + _e966);
+                                                    if (_e1022 < 9u) {
                                                     } else {
-                                                        phi_2796_ = true;
+                                                        phi_3313_ = true;
                                                         break;
                                                     }
-                                                    let _e805 = global_2.member[_e732].member[_e799];
-                                                    phi_982_ = array<array<f32, 3>, 3>(array<f32, 3>(_e749, _e755, _e761), array<f32, 3>(_e769, _e776, _e783), array<f32, 3>(_e791, _e798, _e805));
+                                                    let _e1028 = global_2.member[_e955].member[_e1022];
+                                                    phi_1401_ = array<array<f32, 3>, 3>(array<f32, 3>(_e972, _e978, _e984), array<f32, 3>(_e992, _e999, _e1006), array<f32, 3>(_e1014, _e1021, _e1028));
                                                 }
-                                                let _e809 = phi_982_;
-                                                let _e817 = (_e809[0][2] - _e402);
-                                                let _e820 = (((_e809[0][0] - _e329) * _e426) - (_e817 * _e354));
-                                                let _e823 = (((_e809[0][1] - _e366) * _e426) - (_e817 * _e390));
-                                                let _e830 = (_e809[1][2] - _e402);
-                                                let _e833 = (((_e809[1][0] - _e329) * _e426) - (_e830 * _e354));
-                                                let _e836 = (((_e809[1][1] - _e366) * _e426) - (_e830 * _e390));
-                                                let _e843 = (_e809[2][2] - _e402);
-                                                let _e846 = (((_e809[2][0] - _e329) * _e426) - (_e843 * _e354));
-                                                let _e849 = (((_e809[2][1] - _e366) * _e426) - (_e843 * _e390));
-                                                let _e850 = (_e846 * _e836);
-                                                let _e851 = (_e849 * _e833);
-                                                let _e852 = (_e820 * _e849);
-                                                let _e853 = (_e823 * _e846);
-                                                let _e854 = (_e833 * _e823);
-                                                let _e855 = (_e836 * _e820);
-                                                let _e860 = (((_e850 >= _e851) && (_e852 >= _e853)) && (_e854 >= _e855));
-                                                if (_e860 || (((_e850 <= _e851) && (_e852 <= _e853)) && (_e854 <= _e855))) {
-                                                    let _e867 = select(-1f, 1f, _e860);
-                                                    let _e869 = ((_e850 - _e851) * _e867);
-                                                    let _e871 = select(0f, _e869, (_e869 > 0f));
-                                                    let _e873 = ((_e852 - _e853) * _e867);
-                                                    let _e875 = select(0f, _e873, (_e873 > 0f));
-                                                    let _e877 = ((_e854 - _e855) * _e867);
-                                                    let _e879 = select(0f, _e877, (_e877 > 0f));
-                                                    let _e881 = ((_e871 + _e875) + _e879);
-                                                    if (_e881 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1807_ = type_28();
-                                                        phi_1808_ = true;
-                                                        phi_1809_ = false;
+                                                let _e1032 = phi_1401_;
+                                                let _e1040 = (_e1032[0][2] - _e545);
+                                                let _e1043 = (((_e1032[0][0] - _e412) * _e584) - (_e1040 * _e452));
+                                                let _e1046 = (((_e1032[0][1] - _e479) * _e584) - (_e1040 * _e518));
+                                                let _e1053 = (_e1032[1][2] - _e545);
+                                                let _e1056 = (((_e1032[1][0] - _e412) * _e584) - (_e1053 * _e452));
+                                                let _e1059 = (((_e1032[1][1] - _e479) * _e584) - (_e1053 * _e518));
+                                                let _e1066 = (_e1032[2][2] - _e545);
+                                                let _e1069 = (((_e1032[2][0] - _e412) * _e584) - (_e1066 * _e452));
+                                                let _e1072 = (((_e1032[2][1] - _e479) * _e584) - (_e1066 * _e518));
+                                                let _e1073 = (_e1069 * _e1059);
+                                                let _e1074 = (_e1072 * _e1056);
+                                                let _e1075 = (_e1043 * _e1072);
+                                                let _e1076 = (_e1046 * _e1069);
+                                                let _e1077 = (_e1056 * _e1046);
+                                                let _e1078 = (_e1059 * _e1043);
+                                                let _e1083 = (((_e1073 >= _e1074) && (_e1075 >= _e1076)) && (_e1077 >= _e1078));
+                                                if (_e1083 || (((_e1073 <= _e1074) && (_e1075 <= _e1076)) && (_e1077 <= _e1078))) {
+                                                    let _e1090 = select(-1f, 1f, _e1083);
+                                                    let _e1092 = ((_e1073 - _e1074) * _e1090);
+                                                    let _e1094 = select(0f, _e1092, (_e1092 > 0f));
+                                                    let _e1096 = ((_e1075 - _e1076) * _e1090);
+                                                    let _e1098 = select(0f, _e1096, (_e1096 > 0f));
+                                                    let _e1100 = ((_e1077 - _e1078) * _e1090);
+                                                    let _e1102 = select(0f, _e1100, (_e1100 > 0f));
+                                                    let _e1104 = ((_e1094 + _e1098) + _e1102);
+                                                    if (_e1104 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2226_ = type_28();
+                                                        phi_2227_ = true;
+                                                        phi_2228_ = false;
                                                     } else {
-                                                        let _e884 = select(_e833, _e820, (_e820 < _e833));
-                                                        if (select(_e846, _e884, (_e884 < _e846)) > 0f) {
-                                                            phi_1099_ = true;
+                                                        let _e1107 = select(_e1056, _e1043, (_e1043 < _e1056));
+                                                        if (select(_e1069, _e1107, (_e1107 < _e1069)) > 0f) {
+                                                            phi_1518_ = true;
                                                         } else {
-                                                            let _e889 = select(_e833, _e820, (_e820 > _e833));
-                                                            phi_1099_ = (select(_e846, _e889, (_e889 > _e846)) < 0f);
+                                                            let _e1112 = select(_e1056, _e1043, (_e1043 > _e1056));
+                                                            phi_1518_ = (select(_e1069, _e1112, (_e1112 > _e1069)) < 0f);
                                                         }
-                                                        let _e894 = phi_1099_;
-                                                        if _e894 {
-                                                            phi_1804_ = type_28();
-                                                            phi_1805_ = true;
-                                                            phi_1806_ = false;
+                                                        let _e1117 = phi_1518_;
+                                                        if _e1117 {
+                                                            phi_2223_ = type_28();
+                                                            phi_2224_ = true;
+                                                            phi_2225_ = false;
                                                         } else {
-                                                            let _e896 = select(_e836, _e823, (_e823 < _e836));
-                                                            if (select(_e849, _e896, (_e896 < _e849)) > 0f) {
-                                                                phi_1128_ = true;
+                                                            let _e1119 = select(_e1059, _e1046, (_e1046 < _e1059));
+                                                            if (select(_e1072, _e1119, (_e1119 < _e1072)) > 0f) {
+                                                                phi_1547_ = true;
                                                             } else {
-                                                                let _e901 = select(_e836, _e823, (_e823 > _e836));
-                                                                phi_1128_ = (select(_e849, _e901, (_e901 > _e849)) < 0f);
+                                                                let _e1124 = select(_e1059, _e1046, (_e1046 > _e1059));
+                                                                phi_1547_ = (select(_e1072, _e1124, (_e1124 > _e1072)) < 0f);
                                                             }
-                                                            let _e906 = phi_1128_;
-                                                            if _e906 {
-                                                                phi_1802_ = type_28();
-                                                                phi_1803_ = false;
+                                                            let _e1129 = phi_1547_;
+                                                            if _e1129 {
+                                                                phi_2221_ = type_28();
+                                                                phi_2222_ = false;
                                                             } else {
-                                                                let _e908 = select(_e809[1][0], _e809[0][0], (_e809[0][0] < _e809[1][0]));
-                                                                let _e912 = select(_e809[1][0], _e809[0][0], (_e809[0][0] > _e809[1][0]));
-                                                                let _e916 = select(_e809[1][1], _e809[0][1], (_e809[0][1] < _e809[1][1]));
-                                                                let _e920 = select(_e809[1][1], _e809[0][1], (_e809[0][1] > _e809[1][1]));
-                                                                let _e924 = select(_e809[1][2], _e809[0][2], (_e809[0][2] < _e809[1][2]));
-                                                                let _e928 = select(_e809[1][2], _e809[0][2], (_e809[0][2] > _e809[1][2]));
-                                                                let _e933 = ((select(_e809[2][0], _e908, (_e908 < _e809[2][0])) - _e352) * _e357);
-                                                                let _e934 = ((select(_e809[2][0], _e912, (_e912 > _e809[2][0])) - _e353) * _e357);
-                                                                let _e937 = ((select(_e809[2][1], _e916, (_e916 < _e809[2][1])) - _e388) * _e393);
-                                                                let _e938 = ((select(_e809[2][1], _e920, (_e920 > _e809[2][1])) - _e389) * _e393);
-                                                                let _e941 = ((select(_e809[2][2], _e924, (_e924 < _e809[2][2])) - _e424) * _e429);
-                                                                let _e942 = ((select(_e809[2][2], _e928, (_e928 > _e809[2][2])) - _e425) * _e429);
-                                                                let _e944 = select(_e942, _e941, (_e941 < _e942));
-                                                                let _e946 = select(_e942, _e941, (_e941 > _e942));
-                                                                let _e948 = select(_e934, _e933, (_e933 < _e934));
-                                                                let _e950 = select(_e938, _e937, (_e937 < _e938));
-                                                                let _e952 = select(_e950, _e948, (_e948 > _e950));
-                                                                let _e954 = select(_e944, _e952, (_e952 > _e944));
-                                                                let _e956 = select(_e934, _e933, (_e933 > _e934));
-                                                                let _e958 = select(_e938, _e937, (_e937 > _e938));
-                                                                let _e960 = select(_e958, _e956, (_e956 < _e958));
-                                                                let _e962 = select(_e946, _e960, (_e960 < _e946));
-                                                                let _e963 = -(_e944);
-                                                                let _e969 = select(_e475, _e954, (_e954 > _e475));
-                                                                if (_e969 > (_e962 + (select(_e963, _e946, (_e946 > _e963)) * 0.0000019073523f))) {
-                                                                    phi_1797_ = type_28();
-                                                                    phi_1798_ = true;
+                                                                let _e1131 = select(_e1032[1][0], _e1032[0][0], (_e1032[0][0] < _e1032[1][0]));
+                                                                let _e1135 = select(_e1032[1][0], _e1032[0][0], (_e1032[0][0] > _e1032[1][0]));
+                                                                let _e1139 = select(_e1032[1][1], _e1032[0][1], (_e1032[0][1] < _e1032[1][1]));
+                                                                let _e1143 = select(_e1032[1][1], _e1032[0][1], (_e1032[0][1] > _e1032[1][1]));
+                                                                let _e1147 = select(_e1032[1][2], _e1032[0][2], (_e1032[0][2] < _e1032[1][2]));
+                                                                let _e1151 = select(_e1032[1][2], _e1032[0][2], (_e1032[0][2] > _e1032[1][2]));
+                                                                let _e1156 = ((select(_e1032[2][0], _e1131, (_e1131 < _e1032[2][0])) - _e450) * _e455);
+                                                                let _e1157 = ((select(_e1032[2][0], _e1135, (_e1135 > _e1032[2][0])) - _e451) * _e455);
+                                                                let _e1160 = ((select(_e1032[2][1], _e1139, (_e1139 < _e1032[2][1])) - _e516) * _e521);
+                                                                let _e1161 = ((select(_e1032[2][1], _e1143, (_e1143 > _e1032[2][1])) - _e517) * _e521);
+                                                                let _e1164 = ((select(_e1032[2][2], _e1147, (_e1147 < _e1032[2][2])) - _e582) * _e587);
+                                                                let _e1165 = ((select(_e1032[2][2], _e1151, (_e1151 > _e1032[2][2])) - _e583) * _e587);
+                                                                let _e1167 = select(_e1165, _e1164, (_e1164 < _e1165));
+                                                                let _e1169 = select(_e1165, _e1164, (_e1164 > _e1165));
+                                                                let _e1171 = select(_e1157, _e1156, (_e1156 < _e1157));
+                                                                let _e1173 = select(_e1161, _e1160, (_e1160 < _e1161));
+                                                                let _e1175 = select(_e1173, _e1171, (_e1171 > _e1173));
+                                                                let _e1177 = select(_e1167, _e1175, (_e1175 > _e1167));
+                                                                let _e1179 = select(_e1157, _e1156, (_e1156 > _e1157));
+                                                                let _e1181 = select(_e1161, _e1160, (_e1160 > _e1161));
+                                                                let _e1183 = select(_e1181, _e1179, (_e1179 < _e1181));
+                                                                let _e1185 = select(_e1169, _e1183, (_e1183 < _e1169));
+                                                                let _e1186 = -(_e1167);
+                                                                let _e1192 = select(_e698, _e1177, (_e1177 > _e698));
+                                                                if (_e1192 > (_e1185 + (select(_e1186, _e1169, (_e1169 > _e1186)) * 0.0000019073523f))) {
+                                                                    phi_2216_ = type_28();
+                                                                    phi_2217_ = true;
                                                                 } else {
-                                                                    let _e971 = (_e969 > _e710.member_1);
-                                                                    if _e971 {
-                                                                        phi_1796_ = type_28();
+                                                                    let _e1194 = (_e1192 > _e933.member_1);
+                                                                    if _e1194 {
+                                                                        phi_2215_ = type_28();
                                                                     } else {
-                                                                        let _e972 = vec3<f32>(_e809[0][0], _e809[0][1], _e809[0][2]);
-                                                                        let _e973 = vec3<f32>(_e809[1][0], _e809[1][1], _e809[1][2]);
-                                                                        let _e974 = vec3<f32>(_e809[2][0], _e809[2][1], _e809[2][2]);
-                                                                        let _e975 = (_e809[1][0] - _e809[0][0]);
-                                                                        let _e976 = (_e809[1][1] - _e809[0][1]);
-                                                                        let _e977 = (_e809[1][2] - _e809[0][2]);
-                                                                        let _e978 = vec3<f32>(_e975, _e976, _e977);
-                                                                        let _e979 = (_e809[2][0] - _e809[1][0]);
-                                                                        let _e980 = (_e809[2][1] - _e809[1][1]);
-                                                                        let _e981 = (_e809[2][2] - _e809[1][2]);
-                                                                        let _e982 = vec3<f32>(_e979, _e980, _e981);
-                                                                        let _e983 = (_e809[0][0] - _e809[2][0]);
-                                                                        let _e984 = (_e809[0][1] - _e809[2][1]);
-                                                                        let _e985 = (_e809[0][2] - _e809[2][2]);
-                                                                        let _e986 = vec3<f32>(_e983, _e984, _e985);
-                                                                        let _e989 = bitcast<f32>((bitcast<u32>(_e975) & 2147483647u));
-                                                                        let _e992 = bitcast<f32>((bitcast<u32>(_e976) & 2147483647u));
-                                                                        let _e994 = select(_e992, _e989, (_e989 > _e992));
-                                                                        let _e997 = bitcast<f32>((bitcast<u32>(_e977) & 2147483647u));
-                                                                        let _e999 = select(_e997, _e994, (_e994 > _e997));
-                                                                        let _e1002 = bitcast<f32>((bitcast<u32>(_e979) & 2147483647u));
-                                                                        let _e1005 = bitcast<f32>((bitcast<u32>(_e980) & 2147483647u));
-                                                                        let _e1007 = select(_e1005, _e1002, (_e1002 > _e1005));
-                                                                        let _e1010 = bitcast<f32>((bitcast<u32>(_e981) & 2147483647u));
-                                                                        let _e1012 = select(_e1010, _e1007, (_e1007 > _e1010));
-                                                                        let _e1015 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
-                                                                        let _e1018 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
-                                                                        let _e1020 = select(_e1018, _e1015, (_e1015 > _e1018));
-                                                                        let _e1023 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
-                                                                        let _e1025 = select(_e1023, _e1020, (_e1020 > _e1023));
-                                                                        let _e1027 = select(_e1012, _e999, (_e999 > _e1012));
-                                                                        let _e1029 = select(_e1025, _e1027, (_e1027 > _e1025));
-                                                                        if (_e999 == _e1029) {
-                                                                            phi_1529_ = _e836;
-                                                                            phi_1530_ = _e833;
-                                                                            phi_1531_ = _e823;
-                                                                            phi_1532_ = _e820;
-                                                                            phi_1533_ = _e972;
-                                                                            phi_1534_ = _e986;
-                                                                            phi_1535_ = _e982;
-                                                                            phi_1536_ = _e978;
+                                                                        let _e1195 = vec3<f32>(_e1032[0][0], _e1032[0][1], _e1032[0][2]);
+                                                                        let _e1196 = vec3<f32>(_e1032[1][0], _e1032[1][1], _e1032[1][2]);
+                                                                        let _e1197 = vec3<f32>(_e1032[2][0], _e1032[2][1], _e1032[2][2]);
+                                                                        let _e1198 = (_e1032[1][0] - _e1032[0][0]);
+                                                                        let _e1199 = (_e1032[1][1] - _e1032[0][1]);
+                                                                        let _e1200 = (_e1032[1][2] - _e1032[0][2]);
+                                                                        let _e1201 = vec3<f32>(_e1198, _e1199, _e1200);
+                                                                        let _e1202 = (_e1032[2][0] - _e1032[1][0]);
+                                                                        let _e1203 = (_e1032[2][1] - _e1032[1][1]);
+                                                                        let _e1204 = (_e1032[2][2] - _e1032[1][2]);
+                                                                        let _e1205 = vec3<f32>(_e1202, _e1203, _e1204);
+                                                                        let _e1206 = (_e1032[0][0] - _e1032[2][0]);
+                                                                        let _e1207 = (_e1032[0][1] - _e1032[2][1]);
+                                                                        let _e1208 = (_e1032[0][2] - _e1032[2][2]);
+                                                                        let _e1209 = vec3<f32>(_e1206, _e1207, _e1208);
+                                                                        let _e1212 = bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u));
+                                                                        let _e1215 = bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u));
+                                                                        let _e1217 = select(_e1215, _e1212, (_e1212 > _e1215));
+                                                                        let _e1220 = bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u));
+                                                                        let _e1222 = select(_e1220, _e1217, (_e1217 > _e1220));
+                                                                        let _e1225 = bitcast<f32>((bitcast<u32>(_e1202) & 2147483647u));
+                                                                        let _e1228 = bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u));
+                                                                        let _e1230 = select(_e1228, _e1225, (_e1225 > _e1228));
+                                                                        let _e1233 = bitcast<f32>((bitcast<u32>(_e1204) & 2147483647u));
+                                                                        let _e1235 = select(_e1233, _e1230, (_e1230 > _e1233));
+                                                                        let _e1238 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
+                                                                        let _e1241 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
+                                                                        let _e1243 = select(_e1241, _e1238, (_e1238 > _e1241));
+                                                                        let _e1246 = bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u));
+                                                                        let _e1248 = select(_e1246, _e1243, (_e1243 > _e1246));
+                                                                        let _e1250 = select(_e1235, _e1222, (_e1222 > _e1235));
+                                                                        let _e1252 = select(_e1248, _e1250, (_e1250 > _e1248));
+                                                                        if (_e1222 == _e1252) {
+                                                                            phi_1948_ = _e1059;
+                                                                            phi_1949_ = _e1056;
+                                                                            phi_1950_ = _e1046;
+                                                                            phi_1951_ = _e1043;
+                                                                            phi_1952_ = _e1195;
+                                                                            phi_1953_ = _e1209;
+                                                                            phi_1954_ = _e1205;
+                                                                            phi_1955_ = _e1201;
                                                                         } else {
-                                                                            let _e1031 = (_e1012 == _e1029);
-                                                                            let _e1036 = vec3(_e1031);
-                                                                            phi_1529_ = select(_e823, _e849, _e1031);
-                                                                            phi_1530_ = select(_e820, _e846, _e1031);
-                                                                            phi_1531_ = select(_e849, _e836, _e1031);
-                                                                            phi_1532_ = select(_e846, _e833, _e1031);
-                                                                            phi_1533_ = select(_e974, _e973, _e1036);
-                                                                            phi_1534_ = select(_e982, _e978, _e1036);
-                                                                            phi_1535_ = select(_e978, _e986, _e1036);
-                                                                            phi_1536_ = select(_e986, _e982, _e1036);
+                                                                            let _e1254 = (_e1235 == _e1252);
+                                                                            let _e1259 = vec3(_e1254);
+                                                                            phi_1948_ = select(_e1046, _e1072, _e1254);
+                                                                            phi_1949_ = select(_e1043, _e1069, _e1254);
+                                                                            phi_1950_ = select(_e1072, _e1059, _e1254);
+                                                                            phi_1951_ = select(_e1069, _e1056, _e1254);
+                                                                            phi_1952_ = select(_e1197, _e1196, _e1259);
+                                                                            phi_1953_ = select(_e1205, _e1201, _e1259);
+                                                                            phi_1954_ = select(_e1201, _e1209, _e1259);
+                                                                            phi_1955_ = select(_e1209, _e1205, _e1259);
                                                                         }
-                                                                        let _e1042 = phi_1529_;
-                                                                        let _e1044 = phi_1530_;
-                                                                        let _e1046 = phi_1531_;
-                                                                        let _e1048 = phi_1532_;
-                                                                        let _e1050 = phi_1533_;
-                                                                        let _e1052 = phi_1534_;
-                                                                        let _e1054 = phi_1535_;
-                                                                        let _e1056 = phi_1536_;
-                                                                        let _e1063 = ((_e1054.y * _e1052.z) - (_e1052.y * _e1054.z));
-                                                                        let _e1068 = ((_e1054.z * _e1052.x) - (_e1052.z * _e1054.x));
-                                                                        let _e1071 = ((_e1054.x * _e1052.y) - (_e1052.x * _e1054.y));
-                                                                        if (_e871 >= _e875) {
-                                                                            phi_1567_ = select(true, false, (_e871 >= _e879));
+                                                                        let _e1265 = phi_1948_;
+                                                                        let _e1267 = phi_1949_;
+                                                                        let _e1269 = phi_1950_;
+                                                                        let _e1271 = phi_1951_;
+                                                                        let _e1273 = phi_1952_;
+                                                                        let _e1275 = phi_1953_;
+                                                                        let _e1277 = phi_1954_;
+                                                                        let _e1279 = phi_1955_;
+                                                                        let _e1286 = ((_e1277.y * _e1275.z) - (_e1275.y * _e1277.z));
+                                                                        let _e1291 = ((_e1277.z * _e1275.x) - (_e1275.z * _e1277.x));
+                                                                        let _e1294 = ((_e1277.x * _e1275.y) - (_e1275.x * _e1277.y));
+                                                                        if (_e1094 >= _e1098) {
+                                                                            phi_1986_ = select(true, false, (_e1094 >= _e1102));
                                                                         } else {
-                                                                            phi_1567_ = true;
+                                                                            phi_1986_ = true;
                                                                         }
-                                                                        let _e1076 = phi_1567_;
-                                                                        if _e1076 {
-                                                                            phi_1576_ = select(_e974, _e973, vec3((_e875 >= _e879)));
+                                                                        let _e1299 = phi_1986_;
+                                                                        if _e1299 {
+                                                                            phi_1995_ = select(_e1197, _e1196, vec3((_e1098 >= _e1102)));
                                                                         } else {
-                                                                            phi_1576_ = _e972;
+                                                                            phi_1995_ = _e1195;
                                                                         }
-                                                                        let _e1081 = phi_1576_;
-                                                                        let _e1092 = (((_e1063 * (_e1081.x - _e329)) + (_e1068 * (_e1081.y - _e366))) + (_e1071 * (_e1081.z - _e402)));
-                                                                        let _e1097 = (((_e1063 * _e354) + (_e1068 * _e390)) + (_e1071 * _e426));
-                                                                        let _e1098 = (_e1044 - _e1048);
-                                                                        let _e1099 = (_e1042 - _e1046);
-                                                                        let _e1107 = (-(((_e1048 * _e1098) + (_e1046 * _e1099))) / ((_e1098 * _e1098) + (_e1099 * _e1099)));
-                                                                        let _e1109 = select(1f, _e1107, (_e1107 < 1f));
-                                                                        let _e1111 = select(0f, _e1109, (_e1109 > 0f));
-                                                                        let _e1124 = ((_e1050.x + (_e1056.x * _e1111)) - _e329);
-                                                                        let _e1125 = ((_e1050.y + (_e1056.y * _e1111)) - _e366);
-                                                                        let _e1126 = ((_e1050.z + (_e1056.z * _e1111)) - _e402);
-                                                                        let _e1127 = (_e1126 / _e426);
-                                                                        let _e1139 = bitcast<f32>((bitcast<u32>(_e1124) & 2147483647u));
-                                                                        let _e1142 = bitcast<f32>((bitcast<u32>(_e1125) & 2147483647u));
-                                                                        let _e1144 = select(_e1142, _e1139, (_e1139 > _e1142));
-                                                                        let _e1147 = bitcast<f32>((bitcast<u32>(_e1126) & 2147483647u));
-                                                                        let _e1149 = select(_e1147, _e1144, (_e1144 > _e1147));
-                                                                        let _e1155 = bitcast<f32>((bitcast<u32>(_e1063) & 2147483647u));
-                                                                        let _e1158 = bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u));
-                                                                        let _e1160 = select(_e1158, _e1155, (_e1155 > _e1158));
-                                                                        let _e1163 = bitcast<f32>((bitcast<u32>(_e1071) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1063 * _e1124) + (_e1068 * _e1125)) + (_e1071 * _e1126)) - _e1092)) & 2147483647u)) <= ((0.0000009536743f * select(_e1029, _e1149, (_e1149 > _e1029))) * select(_e1163, _e1160, (_e1160 > _e1163)))) {
-                                                                            let _e1173 = bitcast<f32>((bitcast<u32>(_e1054.x) & 2147483647u));
-                                                                            let _e1176 = bitcast<f32>((bitcast<u32>(_e1054.y) & 2147483647u));
-                                                                            let _e1178 = select(_e1176, _e1173, (_e1173 > _e1176));
-                                                                            let _e1181 = bitcast<f32>((bitcast<u32>(_e1054.z) & 2147483647u));
-                                                                            let _e1187 = bitcast<f32>((bitcast<u32>(_e1052.x) & 2147483647u));
-                                                                            let _e1190 = bitcast<f32>((bitcast<u32>(_e1052.y) & 2147483647u));
-                                                                            let _e1192 = select(_e1190, _e1187, (_e1187 > _e1190));
-                                                                            let _e1195 = bitcast<f32>((bitcast<u32>(_e1052.z) & 2147483647u));
-                                                                            let _e1199 = (bitcast<f32>((bitcast<u32>(_e1097) & 2147483647u)) > ((0.0000038146973f * select(_e1181, _e1178, (_e1178 > _e1181))) * select(_e1195, _e1192, (_e1192 > _e1195))));
-                                                                            if _e1199 {
-                                                                                phi_1741_ = (_e1092 / _e1097);
+                                                                        let _e1304 = phi_1995_;
+                                                                        let _e1315 = (((_e1286 * (_e1304.x - _e412)) + (_e1291 * (_e1304.y - _e479))) + (_e1294 * (_e1304.z - _e545)));
+                                                                        let _e1320 = (((_e1286 * _e452) + (_e1291 * _e518)) + (_e1294 * _e584));
+                                                                        let _e1321 = (_e1267 - _e1271);
+                                                                        let _e1322 = (_e1265 - _e1269);
+                                                                        let _e1330 = (-(((_e1271 * _e1321) + (_e1269 * _e1322))) / ((_e1321 * _e1321) + (_e1322 * _e1322)));
+                                                                        let _e1332 = select(1f, _e1330, (_e1330 < 1f));
+                                                                        let _e1334 = select(0f, _e1332, (_e1332 > 0f));
+                                                                        let _e1347 = ((_e1273.x + (_e1279.x * _e1334)) - _e412);
+                                                                        let _e1348 = ((_e1273.y + (_e1279.y * _e1334)) - _e479);
+                                                                        let _e1349 = ((_e1273.z + (_e1279.z * _e1334)) - _e545);
+                                                                        let _e1350 = (_e1349 / _e584);
+                                                                        let _e1362 = bitcast<f32>((bitcast<u32>(_e1347) & 2147483647u));
+                                                                        let _e1365 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
+                                                                        let _e1367 = select(_e1365, _e1362, (_e1362 > _e1365));
+                                                                        let _e1370 = bitcast<f32>((bitcast<u32>(_e1349) & 2147483647u));
+                                                                        let _e1372 = select(_e1370, _e1367, (_e1367 > _e1370));
+                                                                        let _e1378 = bitcast<f32>((bitcast<u32>(_e1286) & 2147483647u));
+                                                                        let _e1381 = bitcast<f32>((bitcast<u32>(_e1291) & 2147483647u));
+                                                                        let _e1383 = select(_e1381, _e1378, (_e1378 > _e1381));
+                                                                        let _e1386 = bitcast<f32>((bitcast<u32>(_e1294) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1286 * _e1347) + (_e1291 * _e1348)) + (_e1294 * _e1349)) - _e1315)) & 2147483647u)) <= ((0.0000009536743f * select(_e1252, _e1372, (_e1372 > _e1252))) * select(_e1386, _e1383, (_e1383 > _e1386)))) {
+                                                                            let _e1396 = bitcast<f32>((bitcast<u32>(_e1277.x) & 2147483647u));
+                                                                            let _e1399 = bitcast<f32>((bitcast<u32>(_e1277.y) & 2147483647u));
+                                                                            let _e1401 = select(_e1399, _e1396, (_e1396 > _e1399));
+                                                                            let _e1404 = bitcast<f32>((bitcast<u32>(_e1277.z) & 2147483647u));
+                                                                            let _e1410 = bitcast<f32>((bitcast<u32>(_e1275.x) & 2147483647u));
+                                                                            let _e1413 = bitcast<f32>((bitcast<u32>(_e1275.y) & 2147483647u));
+                                                                            let _e1415 = select(_e1413, _e1410, (_e1410 > _e1413));
+                                                                            let _e1418 = bitcast<f32>((bitcast<u32>(_e1275.z) & 2147483647u));
+                                                                            let _e1422 = (bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u)) > ((0.0000038146973f * select(_e1404, _e1401, (_e1401 > _e1404))) * select(_e1418, _e1415, (_e1415 > _e1418))));
+                                                                            if _e1422 {
+                                                                                phi_2160_ = (_e1315 / _e1320);
                                                                             } else {
-                                                                                phi_1741_ = f32();
+                                                                                phi_2160_ = f32();
                                                                             }
-                                                                            let _e1202 = phi_1741_;
-                                                                            phi_1743_ = _e1202;
-                                                                            phi_1744_ = select(true, false, _e1199);
+                                                                            let _e1425 = phi_2160_;
+                                                                            phi_2162_ = _e1425;
+                                                                            phi_2163_ = select(true, false, _e1422);
                                                                         } else {
-                                                                            phi_1743_ = f32();
-                                                                            phi_1744_ = true;
+                                                                            phi_2162_ = f32();
+                                                                            phi_2163_ = true;
                                                                         }
-                                                                        let _e1205 = phi_1743_;
-                                                                        let _e1207 = phi_1744_;
-                                                                        if _e1207 {
-                                                                            let _e1215 = (((_e1063 * (_e1124 - (_e354 * _e1127))) + (_e1068 * (_e1125 - (_e390 * _e1127)))) / _e1097);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u)) <= _e1029) {
-                                                                                phi_1764_ = (_e1127 + _e1215);
+                                                                        let _e1428 = phi_2162_;
+                                                                        let _e1430 = phi_2163_;
+                                                                        if _e1430 {
+                                                                            let _e1438 = (((_e1286 * (_e1347 - (_e452 * _e1350))) + (_e1291 * (_e1348 - (_e518 * _e1350)))) / _e1320);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u)) <= _e1252) {
+                                                                                phi_2183_ = (_e1350 + _e1438);
                                                                             } else {
-                                                                                phi_1764_ = _e1127;
+                                                                                phi_2183_ = _e1350;
                                                                             }
-                                                                            let _e1222 = phi_1764_;
-                                                                            phi_1765_ = _e1222;
+                                                                            let _e1445 = phi_2183_;
+                                                                            phi_2184_ = _e1445;
                                                                         } else {
-                                                                            phi_1765_ = _e1205;
+                                                                            phi_2184_ = _e1428;
                                                                         }
-                                                                        let _e1224 = phi_1765_;
-                                                                        let _e1226 = select(_e962, _e1224, (_e1224 < _e962));
-                                                                        let _e1228 = select(_e954, _e1226, (_e1226 > _e954));
-                                                                        if (_e1228 >= _e475) {
-                                                                            let _e1230 = (_e1228 <= _e710.member_1);
-                                                                            if _e1230 {
-                                                                                let _e1231 = (1f / _e881);
-                                                                                phi_1788_ = type_28(_e1228, (_e875 * _e1231), (_e879 * _e1231), _e739);
+                                                                        let _e1447 = phi_2184_;
+                                                                        let _e1449 = select(_e1185, _e1447, (_e1447 < _e1185));
+                                                                        let _e1451 = select(_e1177, _e1449, (_e1449 > _e1177));
+                                                                        if (_e1451 >= _e698) {
+                                                                            let _e1453 = (_e1451 <= _e933.member_1);
+                                                                            if _e1453 {
+                                                                                let _e1454 = (1f / _e1104);
+                                                                                phi_2207_ = type_28(_e1451, (_e1098 * _e1454), (_e1102 * _e1454), _e962);
                                                                             } else {
-                                                                                phi_1788_ = type_28();
+                                                                                phi_2207_ = type_28();
                                                                             }
-                                                                            let _e1236 = phi_1788_;
-                                                                            phi_1790_ = _e1236;
-                                                                            phi_1791_ = select(true, false, _e1230);
+                                                                            let _e1459 = phi_2207_;
+                                                                            phi_2209_ = _e1459;
+                                                                            phi_2210_ = select(true, false, _e1453);
                                                                         } else {
-                                                                            phi_1790_ = type_28();
-                                                                            phi_1791_ = true;
+                                                                            phi_2209_ = type_28();
+                                                                            phi_2210_ = true;
                                                                         }
-                                                                        let _e1239 = phi_1790_;
-                                                                        let _e1241 = phi_1791_;
-                                                                        if _e1241 {
-                                                                            phi_1795_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1462 = phi_2209_;
+                                                                        let _e1464 = phi_2210_;
+                                                                        if _e1464 {
+                                                                            phi_2214_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1795_ = _e1239;
+                                                                            phi_2214_ = _e1462;
                                                                         }
-                                                                        let _e1243 = phi_1795_;
-                                                                        phi_1796_ = _e1243;
+                                                                        let _e1466 = phi_2214_;
+                                                                        phi_2215_ = _e1466;
                                                                     }
-                                                                    let _e1245 = phi_1796_;
-                                                                    phi_1797_ = _e1245;
-                                                                    phi_1798_ = _e971;
+                                                                    let _e1468 = phi_2215_;
+                                                                    phi_2216_ = _e1468;
+                                                                    phi_2217_ = _e1194;
                                                                 }
-                                                                let _e1247 = phi_1797_;
-                                                                let _e1249 = phi_1798_;
-                                                                phi_1802_ = _e1247;
-                                                                phi_1803_ = _e1249;
+                                                                let _e1470 = phi_2216_;
+                                                                let _e1472 = phi_2217_;
+                                                                phi_2221_ = _e1470;
+                                                                phi_2222_ = _e1472;
                                                             }
-                                                            let _e1251 = phi_1802_;
-                                                            let _e1253 = phi_1803_;
-                                                            phi_1804_ = _e1251;
-                                                            phi_1805_ = _e906;
-                                                            phi_1806_ = _e1253;
+                                                            let _e1474 = phi_2221_;
+                                                            let _e1476 = phi_2222_;
+                                                            phi_2223_ = _e1474;
+                                                            phi_2224_ = _e1129;
+                                                            phi_2225_ = _e1476;
                                                         }
-                                                        let _e1255 = phi_1804_;
-                                                        let _e1257 = phi_1805_;
-                                                        let _e1259 = phi_1806_;
-                                                        phi_1807_ = _e1255;
-                                                        phi_1808_ = _e1257;
-                                                        phi_1809_ = _e1259;
+                                                        let _e1478 = phi_2223_;
+                                                        let _e1480 = phi_2224_;
+                                                        let _e1482 = phi_2225_;
+                                                        phi_2226_ = _e1478;
+                                                        phi_2227_ = _e1480;
+                                                        phi_2228_ = _e1482;
                                                     }
-                                                    let _e1261 = phi_1807_;
-                                                    let _e1263 = phi_1808_;
-                                                    let _e1265 = phi_1809_;
-                                                    phi_1817_ = _e1261;
-                                                    phi_1818_ = select(_e1265, true, _e1263);
+                                                    let _e1484 = phi_2226_;
+                                                    let _e1486 = phi_2227_;
+                                                    let _e1488 = phi_2228_;
+                                                    phi_2236_ = _e1484;
+                                                    phi_2237_ = select(_e1488, true, _e1486);
                                                 } else {
-                                                    phi_1817_ = type_28();
-                                                    phi_1818_ = true;
+                                                    phi_2236_ = type_28();
+                                                    phi_2237_ = true;
                                                 }
-                                                let _e1268 = phi_1817_;
-                                                let _e1270 = phi_1818_;
-                                                if _e1270 {
-                                                    phi_1822_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1491 = phi_2236_;
+                                                let _e1493 = phi_2237_;
+                                                if _e1493 {
+                                                    phi_2241_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1822_ = _e1268;
+                                                    phi_2241_ = _e1491;
                                                 }
-                                                let _e1272 = phi_1822_;
-                                                if (_e1272.member_3 != 4294967295u) {
-                                                    if (_e739 == _e103) {
-                                                        phi_2151_ = false;
+                                                let _e1495 = phi_2241_;
+                                                if (_e1495.member_3 != 4294967295u) {
+                                                    if (_e962 == _e111) {
+                                                        phi_2570_ = false;
                                                     } else {
-                                                        let _e1276 = (_e739 < arrayLength((&global_5.member)));
-                                                        if _e1276 {
-                                                            if _e1276 {
+                                                        let _e1499 = (_e962 < arrayLength((&global_5.member)));
+                                                        if _e1499 {
+                                                            if _e1499 {
                                                             } else {
-                                                                phi_2796_ = true;
+                                                                phi_3313_ = true;
                                                                 break;
                                                             }
-                                                            let _e1278 = global_5.member[_e739];
-                                                            phi_1845_ = _e1278;
+                                                            let _e1501 = global_5.member[_e962];
+                                                            phi_2264_ = _e1501;
                                                         } else {
-                                                            phi_1845_ = 4294967295u;
+                                                            phi_2264_ = 4294967295u;
                                                         }
-                                                        let _e1280 = phi_1845_;
-                                                        let _e1281 = (_e1280 < arrayLength((&global_6.member)));
-                                                        if _e1281 {
-                                                            if _e1281 {
+                                                        let _e1503 = phi_2264_;
+                                                        let _e1504 = (_e1503 < arrayLength((&global_6.member)));
+                                                        if _e1504 {
+                                                            if _e1504 {
                                                             } else {
-                                                                phi_2796_ = true;
+                                                                phi_3313_ = true;
                                                                 break;
                                                             }
-                                                            let _e1283 = global_6.member[_e1280];
-                                                            phi_1859_ = _e1283;
+                                                            let _e1506 = global_6.member[_e1503];
+                                                            phi_2278_ = _e1506;
                                                         } else {
-                                                            phi_1859_ = 0i;
+                                                            phi_2278_ = 0i;
                                                         }
-                                                        let _e1285 = phi_1859_;
-                                                        let _e1286 = (_e1285 == 0i);
-                                                        if _e1286 {
-                                                            phi_2150_ = true;
+                                                        let _e1508 = phi_2278_;
+                                                        let _e1509 = (_e1508 == 0i);
+                                                        if _e1509 {
+                                                            phi_2569_ = true;
                                                         } else {
-                                                            if _e321 {
-                                                                phi_1880_ = vec3<f32>(_e809[0][0], _e809[0][1], _e809[0][2]);
+                                                            if _e389 {
+                                                                phi_2299_ = vec3<f32>(_e1032[0][0], _e1032[0][1], _e1032[0][2]);
                                                             } else {
-                                                                if (_e297 == 1u) {
-                                                                    phi_1879_ = vec3<f32>(_e809[0][2], _e809[0][0], _e809[0][1]);
+                                                                if (_e365 == 1u) {
+                                                                    phi_2298_ = vec3<f32>(_e1032[0][2], _e1032[0][0], _e1032[0][1]);
                                                                 } else {
-                                                                    phi_1879_ = vec3<f32>(_e809[0][1], _e809[0][2], _e809[0][0]);
+                                                                    phi_2298_ = vec3<f32>(_e1032[0][1], _e1032[0][2], _e1032[0][0]);
                                                                 }
-                                                                let _e1291 = phi_1879_;
-                                                                phi_1880_ = _e1291;
+                                                                let _e1514 = phi_2298_;
+                                                                phi_2299_ = _e1514;
                                                             }
-                                                            let _e1294 = phi_1880_;
-                                                            if _e321 {
-                                                                phi_1897_ = vec3<f32>(_e809[1][0], _e809[1][1], _e809[1][2]);
+                                                            let _e1517 = phi_2299_;
+                                                            if _e389 {
+                                                                phi_2316_ = vec3<f32>(_e1032[1][0], _e1032[1][1], _e1032[1][2]);
                                                             } else {
-                                                                if (_e297 == 1u) {
-                                                                    phi_1896_ = vec3<f32>(_e809[1][2], _e809[1][0], _e809[1][1]);
+                                                                if (_e365 == 1u) {
+                                                                    phi_2315_ = vec3<f32>(_e1032[1][2], _e1032[1][0], _e1032[1][1]);
                                                                 } else {
-                                                                    phi_1896_ = vec3<f32>(_e809[1][1], _e809[1][2], _e809[1][0]);
+                                                                    phi_2315_ = vec3<f32>(_e1032[1][1], _e1032[1][2], _e1032[1][0]);
                                                                 }
-                                                                let _e1299 = phi_1896_;
-                                                                phi_1897_ = _e1299;
+                                                                let _e1522 = phi_2315_;
+                                                                phi_2316_ = _e1522;
                                                             }
-                                                            let _e1302 = phi_1897_;
-                                                            if _e321 {
-                                                                phi_1914_ = vec3<f32>(_e809[2][0], _e809[2][1], _e809[2][2]);
+                                                            let _e1525 = phi_2316_;
+                                                            if _e389 {
+                                                                phi_2333_ = vec3<f32>(_e1032[2][0], _e1032[2][1], _e1032[2][2]);
                                                             } else {
-                                                                if (_e297 == 1u) {
-                                                                    phi_1913_ = vec3<f32>(_e809[2][2], _e809[2][0], _e809[2][1]);
+                                                                if (_e365 == 1u) {
+                                                                    phi_2332_ = vec3<f32>(_e1032[2][2], _e1032[2][0], _e1032[2][1]);
                                                                 } else {
-                                                                    phi_1913_ = vec3<f32>(_e809[2][1], _e809[2][2], _e809[2][0]);
+                                                                    phi_2332_ = vec3<f32>(_e1032[2][1], _e1032[2][2], _e1032[2][0]);
                                                                 }
-                                                                let _e1307 = phi_1913_;
-                                                                phi_1914_ = _e1307;
+                                                                let _e1530 = phi_2332_;
+                                                                phi_2333_ = _e1530;
                                                             }
-                                                            let _e1310 = phi_1914_;
-                                                            let _e1313 = (_e1302.x - _e1294.x);
-                                                            let _e1316 = (_e1302.y - _e1294.y);
-                                                            let _e1319 = (_e1302.z - _e1294.z);
-                                                            let _e1321 = (_e1310.x - _e1294.x);
-                                                            let _e1323 = (_e1310.y - _e1294.y);
-                                                            let _e1325 = (_e1310.z - _e1294.z);
-                                                            if (_e175.member_1 == 1u) {
-                                                                phi_1950_ = (vec3<f32>(_e175.member[0], _e175.member[1], _e175.member[2]) - _e1294);
+                                                            let _e1533 = phi_2333_;
+                                                            let _e1536 = (_e1525.x - _e1517.x);
+                                                            let _e1539 = (_e1525.y - _e1517.y);
+                                                            let _e1542 = (_e1525.z - _e1517.z);
+                                                            let _e1544 = (_e1533.x - _e1517.x);
+                                                            let _e1546 = (_e1533.y - _e1517.y);
+                                                            let _e1548 = (_e1533.z - _e1517.z);
+                                                            if (_e243.member_1 == 1u) {
+                                                                phi_2369_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e1517);
                                                             } else {
-                                                                phi_1950_ = vec3<f32>(_e175.member[0], _e175.member[1], _e175.member[2]);
+                                                                phi_2369_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
                                                             }
-                                                            let _e1340 = phi_1950_;
-                                                            let _e1346 = bitcast<f32>((bitcast<u32>((_e1313 * _e1323)) ^ _e175.member_3[0]));
-                                                            let _e1350 = bitcast<f32>((bitcast<u32>((_e1316 * _e1321)) ^ _e175.member_3[0]));
-                                                            let _e1354 = bitcast<f32>((bitcast<u32>((_e1316 * _e1325)) ^ _e175.member_3[0]));
-                                                            let _e1358 = bitcast<f32>((bitcast<u32>((_e1319 * _e1323)) ^ _e175.member_3[0]));
-                                                            let _e1362 = bitcast<f32>((bitcast<u32>((_e1319 * _e1321)) ^ _e175.member_3[0]));
-                                                            let _e1366 = bitcast<f32>((bitcast<u32>((_e1313 * _e1325)) ^ _e175.member_3[0]));
-                                                            let _e1367 = (_e1354 - _e1358);
-                                                            let _e1368 = (_e1362 - _e1366);
-                                                            let _e1369 = (_e1346 - _e1350);
-                                                            let _e1393 = (bitcast<f32>((bitcast<u32>(_e1354) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1358) & 2147483647u)));
-                                                            let _e1400 = (bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1366) & 2147483647u)));
-                                                            let _e1407 = (bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1350) & 2147483647u)));
-                                                            if (_e175.member_2 == 0f) {
-                                                                phi_2132_ = 0f;
+                                                            let _e1563 = phi_2369_;
+                                                            let _e1569 = bitcast<f32>((bitcast<u32>((_e1536 * _e1546)) ^ _e243.member_3[0]));
+                                                            let _e1573 = bitcast<f32>((bitcast<u32>((_e1539 * _e1544)) ^ _e243.member_3[0]));
+                                                            let _e1577 = bitcast<f32>((bitcast<u32>((_e1539 * _e1548)) ^ _e243.member_3[0]));
+                                                            let _e1581 = bitcast<f32>((bitcast<u32>((_e1542 * _e1546)) ^ _e243.member_3[0]));
+                                                            let _e1585 = bitcast<f32>((bitcast<u32>((_e1542 * _e1544)) ^ _e243.member_3[0]));
+                                                            let _e1589 = bitcast<f32>((bitcast<u32>((_e1536 * _e1548)) ^ _e243.member_3[0]));
+                                                            let _e1590 = (_e1577 - _e1581);
+                                                            let _e1591 = (_e1585 - _e1589);
+                                                            let _e1592 = (_e1569 - _e1573);
+                                                            let _e1616 = (bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u)));
+                                                            let _e1623 = (bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1589) & 2147483647u)));
+                                                            let _e1630 = (bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u)));
+                                                            if (_e243.member_2 == 0f) {
+                                                                phi_2551_ = 0f;
                                                             } else {
-                                                                let _e1437 = bitcast<f32>((bitcast<u32>(_e1367) & 2147483647u));
-                                                                let _e1440 = bitcast<f32>((bitcast<u32>(_e1368) & 2147483647u));
-                                                                let _e1443 = bitcast<f32>((bitcast<u32>(_e1369) & 2147483647u));
-                                                                let _e1445 = select(_e1443, _e1440, (_e1440 > _e1443));
-                                                                let _e1449 = select(_e1443, _e1440, (_e1440 < _e1443));
-                                                                let _e1453 = select(_e1440, _e1437, (_e1437 < _e1440));
-                                                                let _e1455 = select(_e1440, _e1437, (_e1437 > _e1440));
-                                                                let _e1457 = select(_e1443, _e1455, (_e1455 < _e1443));
-                                                                phi_2132_ = bitcast<f32>((bitcast<u32>((_e175.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1445, _e1437, (_e1437 > _e1445)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1457, _e1453, (_e1453 > _e1457)))) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1449, _e1437, (_e1437 < _e1449)))) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1393 + _e1400) + _e1407))) ^ _e175.member_3[0]))) * 1.0000005f)) ^ _e175.member_3[0])))) ^ _e175.member_3[0]));
+                                                                let _e1660 = bitcast<f32>((bitcast<u32>(_e1590) & 2147483647u));
+                                                                let _e1663 = bitcast<f32>((bitcast<u32>(_e1591) & 2147483647u));
+                                                                let _e1666 = bitcast<f32>((bitcast<u32>(_e1592) & 2147483647u));
+                                                                let _e1668 = select(_e1666, _e1663, (_e1663 > _e1666));
+                                                                let _e1672 = select(_e1666, _e1663, (_e1663 < _e1666));
+                                                                let _e1676 = select(_e1663, _e1660, (_e1660 < _e1663));
+                                                                let _e1678 = select(_e1663, _e1660, (_e1660 > _e1663));
+                                                                let _e1680 = select(_e1666, _e1678, (_e1678 < _e1666));
+                                                                phi_2551_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1668, _e1660, (_e1660 > _e1668)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1680, _e1676, (_e1676 > _e1680)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1672, _e1660, (_e1660 < _e1672)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1616 + _e1623) + _e1630))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
                                                             }
-                                                            let _e1484 = phi_2132_;
-                                                            phi_2150_ = (_e1286 || !(((((bitcast<f32>((bitcast<u32>((_e1340.x * _e1367)) ^ _e175.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1340.y * _e1368)) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1340.z * _e1369)) ^ _e175.member_3[0]))) * f32(-(_e1285))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1340.x) & 2147483647u)) * _e1393)) ^ _e175.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1340.y) & 2147483647u)) * _e1400)) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1340.z) & 2147483647u)) * _e1407)) ^ _e175.member_3[0]))))) ^ _e175.member_3[0])) + _e1484) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1707 = phi_2551_;
+                                                            phi_2569_ = (_e1509 || !(((((bitcast<f32>((bitcast<u32>((_e1563.x * _e1590)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1563.y * _e1591)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1563.z * _e1592)) ^ _e243.member_3[0]))) * f32(-(_e1508))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.x) & 2147483647u)) * _e1616)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.y) & 2147483647u)) * _e1623)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.z) & 2147483647u)) * _e1630)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e1707) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1498 = phi_2150_;
-                                                        phi_2151_ = _e1498;
+                                                        let _e1721 = phi_2569_;
+                                                        phi_2570_ = _e1721;
                                                     }
-                                                    let _e1500 = phi_2151_;
-                                                    if _e1500 {
-                                                        if (_e1272.member < _e710.member.member) {
-                                                            phi_2171_ = true;
+                                                    let _e1723 = phi_2570_;
+                                                    if _e1723 {
+                                                        if (_e1495.member < _e933.member.member) {
+                                                            phi_2590_ = true;
                                                         } else {
-                                                            if (_e1272.member == _e710.member.member) {
-                                                                phi_2170_ = (_e1272.member_3 < _e710.member.member_3);
+                                                            if (_e1495.member == _e933.member.member) {
+                                                                phi_2589_ = (_e1495.member_3 < _e933.member.member_3);
                                                             } else {
-                                                                phi_2170_ = false;
+                                                                phi_2589_ = false;
                                                             }
-                                                            let _e1510 = phi_2170_;
-                                                            phi_2171_ = _e1510;
+                                                            let _e1733 = phi_2589_;
+                                                            phi_2590_ = _e1733;
                                                         }
-                                                        let _e1512 = phi_2171_;
-                                                        if _e1512 {
-                                                            phi_2177_ = type_49(_e1272, _e1272.member);
+                                                        let _e1735 = phi_2590_;
+                                                        if _e1735 {
+                                                            phi_2596_ = type_49(_e1495, _e1495.member);
                                                         } else {
-                                                            phi_2177_ = _e710;
+                                                            phi_2596_ = _e933;
                                                         }
-                                                        let _e1515 = phi_2177_;
-                                                        phi_2178_ = _e1515;
+                                                        let _e1738 = phi_2596_;
+                                                        phi_2597_ = _e1738;
                                                     } else {
-                                                        phi_2178_ = _e710;
+                                                        phi_2597_ = _e933;
                                                     }
-                                                    let _e1517 = phi_2178_;
-                                                    phi_2179_ = _e1517;
+                                                    let _e1740 = phi_2597_;
+                                                    phi_2598_ = _e1740;
                                                 } else {
-                                                    phi_2179_ = _e710;
+                                                    phi_2598_ = _e933;
                                                 }
-                                                let _e1519 = phi_2179_;
-                                                phi_847_ = _e1519;
+                                                let _e1742 = phi_2598_;
+                                                phi_1266_ = _e1742;
                                             } else {
-                                                phi_847_ = type_49();
+                                                phi_1266_ = type_49();
                                             }
-                                            let _e1521 = phi_847_;
+                                            let _e1744 = phi_1266_;
                                             continue;
                                             continuing {
-                                                phi_846_ = _e1521;
-                                                phi_849_ = _e725;
-                                                phi_2796_ = _e483;
-                                                break if !(_e731);
+                                                phi_1265_ = _e1744;
+                                                phi_1268_ = _e948;
+                                                phi_3313_ = _e706;
+                                                break if !(_e954);
                                             }
                                         }
-                                        let _e1524 = phi_2796_;
-                                        phi_2962_ = _e1524;
-                                        if _e1524 {
+                                        let _e1747 = phi_3313_;
+                                        phi_3505_ = _e1747;
+                                        if _e1747 {
                                             break;
                                         }
-                                        phi_2966_ = _e1524;
-                                        let _e1751 = local_3;
-                                        phi_2634_ = _e1751;
-                                        phi_2635_ = _e508;
-                                        phi_2636_ = false;
-                                        phi_2637_ = _e512;
+                                        phi_3509_ = _e1747;
+                                        let _e2073 = local_3;
+                                        phi_3053_ = _e2073;
+                                        phi_3054_ = _e731;
+                                        phi_3055_ = false;
+                                        phi_3056_ = _e735;
                                     } else {
-                                        if (_e508 >= _e78) {
-                                            phi_2239_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e731 >= _e86) {
+                                            phi_2658_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e508 < _e78) {
+                                            if (_e731 < _e86) {
                                             } else {
-                                                phi_2962_ = true;
+                                                phi_3505_ = true;
                                                 break;
                                             }
-                                            let _e522 = (_e297 % 3u);
-                                            if (_e522 < 3u) {
+                                            let _e745 = (_e365 % 3u);
+                                            if (_e745 < 3u) {
                                             } else {
-                                                phi_2962_ = true;
+                                                phi_3505_ = true;
                                                 break;
                                             }
-                                            let _e528 = global_4.member[_e508].member[_e522];
-                                            let _e534 = (_e296 % 3u);
-                                            if (_e534 < 3u) {
+                                            let _e751 = global_4.member[_e731].member[_e745];
+                                            let _e757 = (_e364 % 3u);
+                                            if (_e757 < 3u) {
                                             } else {
-                                                phi_2962_ = true;
+                                                phi_3505_ = true;
                                                 break;
                                             }
-                                            let _e540 = global_4.member[_e508].member[_e534];
-                                            let _e546 = (_e298 % 3u);
-                                            if (_e546 < 3u) {
+                                            let _e763 = global_4.member[_e731].member[_e757];
+                                            let _e769 = (_e366 % 3u);
+                                            if (_e769 < 3u) {
                                             } else {
-                                                phi_2962_ = true;
+                                                phi_3505_ = true;
                                                 break;
                                             }
-                                            let _e552 = global_4.member[_e508].member[_e546];
-                                            let _e562 = global_4.member[_e508].member_1;
-                                            let _e566 = global_4.member[_e508].member_2;
-                                            phi_2239_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e528[0], _e528[1], _e528[2], _e528[3]), vec4<f32>(_e540[0], _e540[1], _e540[2], _e540[3]), vec4<f32>(_e552[0], _e552[1], _e552[2], _e552[3])), _e562, _e566);
+                                            let _e775 = global_4.member[_e731].member[_e769];
+                                            let _e785 = global_4.member[_e731].member_1;
+                                            let _e789 = global_4.member[_e731].member_2;
+                                            phi_2658_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e751[0], _e751[1], _e751[2], _e751[3]), vec4<f32>(_e763[0], _e763[1], _e763[2], _e763[3]), vec4<f32>(_e775[0], _e775[1], _e775[2], _e775[3])), _e785, _e789);
                                         }
-                                        let _e569 = phi_2239_;
-                                        let _e581 = ((_e569.member[0].x - _e352) * _e357);
-                                        let _e582 = ((_e569.member[0].y - _e352) * _e357);
-                                        let _e583 = ((_e569.member[0].z - _e353) * _e357);
-                                        let _e584 = ((_e569.member[0].w - _e353) * _e357);
-                                        let _e594 = ((_e569.member[1].x - _e388) * _e393);
-                                        let _e595 = ((_e569.member[1].y - _e388) * _e393);
-                                        let _e596 = ((_e569.member[1].z - _e389) * _e393);
-                                        let _e597 = ((_e569.member[1].w - _e389) * _e393);
-                                        let _e607 = ((_e569.member[2].x - _e424) * _e429);
-                                        let _e608 = ((_e569.member[2].y - _e424) * _e429);
-                                        let _e609 = ((_e569.member[2].z - _e425) * _e429);
-                                        let _e610 = ((_e569.member[2].w - _e425) * _e429);
-                                        let _e612 = select(_e609, _e607, (_e607 < _e609));
-                                        let _e614 = select(_e610, _e608, (_e608 < _e610));
-                                        let _e616 = select(_e609, _e607, (_e607 > _e609));
-                                        let _e618 = select(_e610, _e608, (_e608 > _e610));
-                                        let _e620 = select(_e583, _e581, (_e581 < _e583));
-                                        let _e622 = select(_e584, _e582, (_e582 < _e584));
-                                        let _e624 = select(_e596, _e594, (_e594 < _e596));
-                                        let _e626 = select(_e597, _e595, (_e595 < _e597));
-                                        let _e628 = select(_e624, _e620, (_e620 > _e624));
-                                        let _e630 = select(_e626, _e622, (_e622 > _e626));
-                                        let _e632 = select(_e612, _e628, (_e628 > _e612));
-                                        let _e634 = select(_e614, _e630, (_e630 > _e614));
-                                        let _e636 = select(_e583, _e581, (_e581 > _e583));
-                                        let _e638 = select(_e584, _e582, (_e582 > _e584));
-                                        let _e640 = select(_e596, _e594, (_e594 > _e596));
-                                        let _e642 = select(_e597, _e595, (_e595 > _e597));
-                                        let _e644 = select(_e640, _e636, (_e636 < _e640));
-                                        let _e646 = select(_e642, _e638, (_e638 < _e642));
-                                        let _e651 = -(_e612);
-                                        let _e652 = -(_e614);
-                                        let _e659 = (select(_e616, _e644, (_e644 < _e616)) + (select(_e651, _e616, (_e616 > _e651)) * 0.0000019073523f));
-                                        let _e660 = (select(_e618, _e646, (_e646 < _e618)) + (select(_e652, _e618, (_e618 > _e652)) * 0.0000019073523f));
-                                        let _e662 = select(_e475, _e632, (_e632 > _e475));
-                                        let _e664 = select(_e475, _e634, (_e634 > _e475));
-                                        let _e669 = (_e662 <= select(_e485.member_1, _e659, (_e659 < _e485.member_1)));
-                                        let _e670 = (_e664 <= select(_e485.member_1, _e660, (_e660 < _e485.member_1)));
-                                        let _e671 = (_e662 <= _e664);
-                                        if _e669 {
-                                            if _e670 {
-                                                if _e671 {
-                                                    phi_2583_ = _e569.member_2;
+                                        let _e792 = phi_2658_;
+                                        let _e804 = ((_e792.member[0].x - _e450) * _e455);
+                                        let _e805 = ((_e792.member[0].y - _e450) * _e455);
+                                        let _e806 = ((_e792.member[0].z - _e451) * _e455);
+                                        let _e807 = ((_e792.member[0].w - _e451) * _e455);
+                                        let _e817 = ((_e792.member[1].x - _e516) * _e521);
+                                        let _e818 = ((_e792.member[1].y - _e516) * _e521);
+                                        let _e819 = ((_e792.member[1].z - _e517) * _e521);
+                                        let _e820 = ((_e792.member[1].w - _e517) * _e521);
+                                        let _e830 = ((_e792.member[2].x - _e582) * _e587);
+                                        let _e831 = ((_e792.member[2].y - _e582) * _e587);
+                                        let _e832 = ((_e792.member[2].z - _e583) * _e587);
+                                        let _e833 = ((_e792.member[2].w - _e583) * _e587);
+                                        let _e835 = select(_e832, _e830, (_e830 < _e832));
+                                        let _e837 = select(_e833, _e831, (_e831 < _e833));
+                                        let _e839 = select(_e832, _e830, (_e830 > _e832));
+                                        let _e841 = select(_e833, _e831, (_e831 > _e833));
+                                        let _e843 = select(_e806, _e804, (_e804 < _e806));
+                                        let _e845 = select(_e807, _e805, (_e805 < _e807));
+                                        let _e847 = select(_e819, _e817, (_e817 < _e819));
+                                        let _e849 = select(_e820, _e818, (_e818 < _e820));
+                                        let _e851 = select(_e847, _e843, (_e843 > _e847));
+                                        let _e853 = select(_e849, _e845, (_e845 > _e849));
+                                        let _e855 = select(_e835, _e851, (_e851 > _e835));
+                                        let _e857 = select(_e837, _e853, (_e853 > _e837));
+                                        let _e859 = select(_e806, _e804, (_e804 > _e806));
+                                        let _e861 = select(_e807, _e805, (_e805 > _e807));
+                                        let _e863 = select(_e819, _e817, (_e817 > _e819));
+                                        let _e865 = select(_e820, _e818, (_e818 > _e820));
+                                        let _e867 = select(_e863, _e859, (_e859 < _e863));
+                                        let _e869 = select(_e865, _e861, (_e861 < _e865));
+                                        let _e874 = -(_e835);
+                                        let _e875 = -(_e837);
+                                        let _e882 = (select(_e839, _e867, (_e867 < _e839)) + (select(_e874, _e839, (_e839 > _e874)) * 0.0000019073523f));
+                                        let _e883 = (select(_e841, _e869, (_e869 < _e841)) + (select(_e875, _e841, (_e841 > _e875)) * 0.0000019073523f));
+                                        let _e885 = select(_e698, _e855, (_e855 > _e698));
+                                        let _e887 = select(_e698, _e857, (_e857 > _e698));
+                                        let _e892 = (_e885 <= select(_e708.member_1, _e882, (_e882 < _e708.member_1)));
+                                        let _e893 = (_e887 <= select(_e708.member_1, _e883, (_e883 < _e708.member_1)));
+                                        let _e894 = (_e885 <= _e887);
+                                        if _e892 {
+                                            if _e893 {
+                                                if _e894 {
+                                                    phi_3002_ = _e792.member_2;
                                                 } else {
-                                                    phi_2583_ = _e569.member_1;
+                                                    phi_3002_ = _e792.member_1;
                                                 }
-                                                let _e675 = phi_2583_;
-                                                let _e678 = (_e512 % 128u);
-                                                let _e679 = (_e678 < 128u);
-                                                if _e679 {
+                                                let _e898 = phi_3002_;
+                                                let _e901 = (_e735 % 128u);
+                                                let _e902 = (_e901 < 128u);
+                                                if _e902 {
                                                 } else {
-                                                    phi_2962_ = true;
+                                                    phi_3505_ = true;
                                                     break;
                                                 }
-                                                local_1[_e678] = _e675;
-                                                if _e679 {
+                                                local_1[_e901] = _e898;
+                                                if _e902 {
                                                 } else {
-                                                    phi_2962_ = true;
+                                                    phi_3505_ = true;
                                                     break;
                                                 }
-                                                local[_e678] = select(_e664, _e662, (_e662 > _e664));
-                                                if _e671 {
-                                                    phi_2611_ = _e569.member_1;
+                                                local[_e901] = select(_e887, _e885, (_e885 > _e887));
+                                                if _e894 {
+                                                    phi_3030_ = _e792.member_1;
                                                 } else {
-                                                    phi_2611_ = _e569.member_2;
+                                                    phi_3030_ = _e792.member_2;
                                                 }
-                                                let _e686 = phi_2611_;
-                                                phi_2612_ = _e686;
-                                                phi_2613_ = (_e512 + 1u);
+                                                let _e909 = phi_3030_;
+                                                phi_3031_ = _e909;
+                                                phi_3032_ = (_e735 + 1u);
                                             } else {
-                                                phi_2612_ = u32();
-                                                phi_2613_ = u32();
+                                                phi_3031_ = u32();
+                                                phi_3032_ = u32();
                                             }
-                                            let _e688 = phi_2612_;
-                                            let _e690 = phi_2613_;
-                                            phi_2615_ = _e688;
-                                            phi_2616_ = _e690;
-                                            phi_2617_ = select(true, false, _e670);
+                                            let _e911 = phi_3031_;
+                                            let _e913 = phi_3032_;
+                                            phi_3034_ = _e911;
+                                            phi_3035_ = _e913;
+                                            phi_3036_ = select(true, false, _e893);
                                         } else {
-                                            phi_2615_ = u32();
-                                            phi_2616_ = u32();
-                                            phi_2617_ = true;
+                                            phi_3034_ = u32();
+                                            phi_3035_ = u32();
+                                            phi_3036_ = true;
                                         }
-                                        let _e693 = phi_2615_;
-                                        let _e695 = phi_2616_;
-                                        let _e697 = phi_2617_;
-                                        if _e697 {
-                                            if _e669 {
-                                                phi_2626_ = _e569.member_1;
+                                        let _e916 = phi_3034_;
+                                        let _e918 = phi_3035_;
+                                        let _e920 = phi_3036_;
+                                        if _e920 {
+                                            if _e892 {
+                                                phi_3045_ = _e792.member_1;
                                             } else {
-                                                phi_2626_ = _e569.member_2;
+                                                phi_3045_ = _e792.member_2;
                                             }
-                                            let _e701 = phi_2626_;
-                                            phi_2631_ = _e701;
-                                            phi_2632_ = select(_e670, true, _e669);
+                                            let _e924 = phi_3045_;
+                                            phi_3050_ = _e924;
+                                            phi_3051_ = select(_e893, true, _e892);
                                         } else {
-                                            phi_2631_ = _e693;
-                                            phi_2632_ = _e510;
+                                            phi_3050_ = _e916;
+                                            phi_3051_ = _e733;
                                         }
-                                        let _e704 = phi_2631_;
-                                        let _e706 = phi_2632_;
-                                        phi_2966_ = _e483;
-                                        phi_2634_ = _e485;
-                                        phi_2635_ = _e704;
-                                        phi_2636_ = _e706;
-                                        phi_2637_ = select(_e695, _e512, _e697);
+                                        let _e927 = phi_3050_;
+                                        let _e929 = phi_3051_;
+                                        phi_3509_ = _e706;
+                                        phi_3053_ = _e708;
+                                        phi_3054_ = _e927;
+                                        phi_3055_ = _e929;
+                                        phi_3056_ = select(_e918, _e735, _e920);
                                     }
-                                    let _e1526 = phi_2966_;
-                                    let _e1528 = phi_2634_;
-                                    let _e1530 = phi_2635_;
-                                    let _e1532 = phi_2636_;
-                                    let _e1534 = phi_2637_;
-                                    phi_2965_ = _e1526;
-                                    phi_2638_ = _e1528;
-                                    phi_2639_ = _e1530;
-                                    phi_2640_ = (_e489 - 1u);
-                                    phi_2641_ = _e1532;
-                                    phi_2642_ = _e1534;
+                                    let _e1749 = phi_3509_;
+                                    let _e1751 = phi_3053_;
+                                    let _e1753 = phi_3054_;
+                                    let _e1755 = phi_3055_;
+                                    let _e1757 = phi_3056_;
+                                    phi_3508_ = _e1749;
+                                    phi_3057_ = _e1751;
+                                    phi_3058_ = _e1753;
+                                    phi_3059_ = (_e712 - 1u);
+                                    phi_3060_ = _e1755;
+                                    phi_3061_ = _e1757;
                                 } else {
-                                    phi_2965_ = _e483;
-                                    phi_2638_ = _e485;
-                                    phi_2639_ = _e508;
-                                    phi_2640_ = _e489;
-                                    phi_2641_ = _e510;
-                                    phi_2642_ = _e512;
+                                    phi_3508_ = _e706;
+                                    phi_3057_ = _e708;
+                                    phi_3058_ = _e731;
+                                    phi_3059_ = _e712;
+                                    phi_3060_ = _e733;
+                                    phi_3061_ = _e735;
                                 }
-                                let _e1536 = phi_2965_;
-                                let _e1538 = phi_2638_;
-                                let _e1540 = phi_2639_;
-                                let _e1542 = phi_2640_;
-                                let _e1544 = phi_2641_;
-                                let _e1546 = phi_2642_;
-                                phi_2964_ = _e1536;
-                                phi_2643_ = _e1538;
-                                phi_2644_ = _e1540;
-                                phi_2645_ = _e1542;
-                                phi_2646_ = _e1544;
-                                phi_2647_ = _e1546;
+                                let _e1759 = phi_3508_;
+                                let _e1761 = phi_3057_;
+                                let _e1763 = phi_3058_;
+                                let _e1765 = phi_3059_;
+                                let _e1767 = phi_3060_;
+                                let _e1769 = phi_3061_;
+                                phi_3507_ = _e1759;
+                                phi_3062_ = _e1761;
+                                phi_3063_ = _e1763;
+                                phi_3064_ = _e1765;
+                                phi_3065_ = _e1767;
+                                phi_3066_ = _e1769;
                             } else {
-                                phi_2964_ = _e483;
-                                phi_2643_ = type_49();
-                                phi_2644_ = u32();
-                                phi_2645_ = u32();
-                                phi_2646_ = bool();
-                                phi_2647_ = u32();
+                                phi_3507_ = _e706;
+                                phi_3062_ = type_49();
+                                phi_3063_ = u32();
+                                phi_3064_ = u32();
+                                phi_3065_ = bool();
+                                phi_3066_ = u32();
                             }
-                            let _e1548 = phi_2964_;
-                            let _e1550 = phi_2643_;
-                            let _e1552 = phi_2644_;
-                            let _e1554 = phi_2645_;
-                            let _e1556 = phi_2646_;
-                            let _e1558 = phi_2647_;
-                            phi_2963_ = _e1548;
-                            phi_778_ = _e1550;
-                            phi_781_ = _e1552;
-                            phi_783_ = _e1554;
-                            phi_785_ = _e1556;
-                            phi_787_ = _e1558;
-                            phi_2648_ = _e497;
+                            let _e1771 = phi_3507_;
+                            let _e1773 = phi_3062_;
+                            let _e1775 = phi_3063_;
+                            let _e1777 = phi_3064_;
+                            let _e1779 = phi_3065_;
+                            let _e1781 = phi_3066_;
+                            phi_3506_ = _e1771;
+                            phi_1197_ = _e1773;
+                            phi_1200_ = _e1775;
+                            phi_1202_ = _e1777;
+                            phi_1204_ = _e1779;
+                            phi_1206_ = _e1781;
+                            phi_3067_ = _e720;
                         } else {
-                            phi_2963_ = _e483;
-                            phi_778_ = type_49();
-                            phi_781_ = u32();
-                            phi_783_ = u32();
-                            phi_785_ = bool();
-                            phi_787_ = u32();
-                            phi_2648_ = false;
+                            phi_3506_ = _e706;
+                            phi_1197_ = type_49();
+                            phi_1200_ = u32();
+                            phi_1202_ = u32();
+                            phi_1204_ = bool();
+                            phi_1206_ = u32();
+                            phi_3067_ = false;
                         }
-                        let _e1560 = phi_2963_;
-                        let _e1562 = phi_778_;
-                        let _e1564 = phi_781_;
-                        let _e1566 = phi_783_;
-                        let _e1568 = phi_785_;
-                        let _e1570 = phi_787_;
-                        let _e1572 = phi_2648_;
+                        let _e1783 = phi_3506_;
+                        let _e1785 = phi_1197_;
+                        let _e1787 = phi_1200_;
+                        let _e1789 = phi_1202_;
+                        let _e1791 = phi_1204_;
+                        let _e1793 = phi_1206_;
+                        let _e1795 = phi_3067_;
                         continue;
                         continuing {
-                            phi_2802_ = _e1560;
-                            phi_777_ = _e1562;
-                            phi_780_ = _e1564;
-                            phi_782_ = _e1566;
-                            phi_784_ = _e1568;
-                            phi_786_ = _e1570;
-                            phi_2962_ = _e1560;
-                            break if !(_e1572);
+                            phi_3319_ = _e1783;
+                            phi_1196_ = _e1785;
+                            phi_1199_ = _e1787;
+                            phi_1201_ = _e1789;
+                            phi_1203_ = _e1791;
+                            phi_1205_ = _e1793;
+                            phi_3505_ = _e1783;
+                            break if !(_e1795);
                         }
                     }
-                    let _e1575 = phi_2962_;
-                    if _e1575 {
+                    let _e1798 = phi_3505_;
+                    if _e1798 {
                         break;
                     }
-                    let _e1577 = local_2;
-                    if (_e1577.member.member_3 != 4294967295u) {
-                        let _e1582 = (_e299 / 3i);
-                        let _e1589 = bitcast<f32>((bitcast<u32>((_e1582 + 127i)) << bitcast<u32>(23i)));
-                        let _e1597 = (((_e1577.member.member * _e1589) * _e1589) * bitcast<f32>((bitcast<u32>(((_e299 - (2i * _e1582)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1599 = select(340282350000000000000000000000000000000f, _e1597, (_e1597 < 340282350000000000000000000000000000000f));
-                        phi_2700_ = type_28(select(-340282350000000000000000000000000000000f, _e1599, (_e1599 > -340282350000000000000000000000000000000f)), _e1577.member.member_1, _e1577.member.member_2, _e1577.member.member_3);
+                    let _e1800 = local_2;
+                    if (_e1800.member.member_3 != 4294967295u) {
+                        let _e1805 = bitcast<u32>(_e1800.member.member);
+                        let _e1809 = (bitcast<i32>((_e1805 >> bitcast<u32>(23i))) & 255i);
+                        let _e1810 = (_e1809 + _e367);
+                        if (_e1809 == 255i) {
+                            phi_3126_ = _e1800.member.member;
+                        } else {
+                            if (_e1809 > 0i) {
+                                if (_e1810 > 0i) {
+                                    let _e1814 = (_e1810 < 255i);
+                                    if _e1814 {
+                                        phi_3105_ = bitcast<f32>((_e1805 + bitcast<u32>((_e367 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_3105_ = f32();
+                                    }
+                                    let _e1821 = phi_3105_;
+                                    phi_3107_ = _e1821;
+                                    phi_3108_ = select(true, false, _e1814);
+                                } else {
+                                    phi_3107_ = f32();
+                                    phi_3108_ = true;
+                                }
+                                let _e1824 = phi_3107_;
+                                let _e1826 = phi_3108_;
+                                phi_3109_ = _e1824;
+                                phi_3110_ = _e1826;
+                            } else {
+                                phi_3109_ = f32();
+                                phi_3110_ = true;
+                            }
+                            let _e1828 = phi_3109_;
+                            let _e1830 = phi_3110_;
+                            if _e1830 {
+                                let _e1831 = (_e1805 & 2147483648u);
+                                let _e1838 = ((_e1805 & 8388607u) | (select(0u, 1u, ((_e1805 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1842 = (_e1838 == 0u);
+                                if _e1842 {
+                                    phi_3308_ = bitcast<f32>(_e1831);
+                                } else {
+                                    let _e1847 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1838)), 32u, _e1842) - 8u);
+                                    let _e1850 = (_e1838 << bitcast<u32>((_e1847 & 31u)));
+                                    let _e1852 = ((_e1810 + select(0i, 1i, (_e1809 == 0i))) - bitcast<i32>(_e1847));
+                                    if (_e1852 >= 255i) {
+                                        phi_3298_ = bitcast<f32>((_e1831 | 2139095040u));
+                                        phi_3299_ = f32();
+                                        phi_3300_ = true;
+                                    } else {
+                                        let _e1854 = (_e1852 > 0i);
+                                        if _e1854 {
+                                            phi_3292_ = bitcast<f32>(((_e1831 | (bitcast<u32>(_e1852) << bitcast<u32>(23i))) | (_e1850 & 8388607u)));
+                                            phi_3293_ = f32();
+                                        } else {
+                                            if (_e1852 < -24i) {
+                                                phi_3258_ = 26u;
+                                            } else {
+                                                phi_3258_ = bitcast<u32>((1i - _e1852));
+                                            }
+                                            let _e1859 = phi_3258_;
+                                            let _e1860 = (_e1859 & 31u);
+                                            let _e1862 = (_e1850 >> bitcast<u32>(_e1860));
+                                            let _e1866 = (_e1850 & ((1u << bitcast<u32>(_e1860)) - 1u));
+                                            let _e1870 = (1u << bitcast<u32>(((_e1859 - 1u) & 31u)));
+                                            if (_e1866 > _e1870) {
+                                                phi_3279_ = true;
+                                            } else {
+                                                if (_e1866 == _e1870) {
+                                                    phi_3276_ = ((_e1862 & 1u) == 1u);
+                                                } else {
+                                                    phi_3276_ = false;
+                                                }
+                                                let _e1876 = phi_3276_;
+                                                phi_3279_ = _e1876;
+                                            }
+                                            let _e1878 = phi_3279_;
+                                            phi_3292_ = f32();
+                                            phi_3293_ = bitcast<f32>((_e1831 | (_e1862 + select(0u, 1u, _e1878))));
+                                        }
+                                        let _e1891 = phi_3292_;
+                                        let _e1893 = phi_3293_;
+                                        phi_3298_ = _e1891;
+                                        phi_3299_ = _e1893;
+                                        phi_3300_ = _e1854;
+                                    }
+                                    let _e1897 = phi_3298_;
+                                    let _e1899 = phi_3299_;
+                                    let _e1901 = phi_3300_;
+                                    phi_3308_ = select(_e1899, _e1897, _e1901);
+                                }
+                                let _e1905 = phi_3308_;
+                                phi_3125_ = _e1905;
+                            } else {
+                                phi_3125_ = _e1828;
+                            }
+                            let _e1907 = phi_3125_;
+                            phi_3126_ = _e1907;
+                        }
+                        let _e1909 = phi_3126_;
+                        let _e1910 = bitcast<u32>(_e1909);
+                        if ((_e1910 & 2147483647u) >= 2139095040u) {
+                            phi_3138_ = bitcast<f32>(((_e1910 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_3138_ = _e1909;
+                        }
+                        let _e1917 = phi_3138_;
+                        phi_3143_ = type_28(_e1917, _e1800.member.member_1, _e1800.member.member_2, _e1800.member.member_3);
                     } else {
-                        phi_2700_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3143_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1606 = phi_2700_;
-                    if _e176 {
+                    let _e1922 = phi_3143_;
+                    if _e244 {
                     } else {
                         break;
                     }
-                    global_8.member[_e96] = _e1606;
-                    if _e97 {
+                    global_8.member[_e104] = _e1922;
+                    if _e105 {
                     } else {
                         break;
                     }
-                    let _e1610 = select(0u, 1u, (_e243 <= _e253));
-                    if (_e1610 > 0u) {
-                        let _e1612 = (1u < _e92);
-                        if _e1612 {
-                            if (0u < _e92) {
+                    let _e1926 = select(0u, 1u, (_e311 <= _e321));
+                    if (_e1926 > 0u) {
+                        let _e1928 = (1u < _e100);
+                        if _e1928 {
+                            if (0u < _e100) {
                             } else {
                                 break;
                             }
-                            let _e1616 = atomicAdd((&global_9.member[0u]), _e1610);
-                            if ((_e1616 + _e1610) < _e1616) {
-                                if _e1612 {
+                            let _e1932 = atomicAdd((&global_9.member[0u]), _e1926);
+                            if ((_e1932 + _e1926) < _e1932) {
+                                if _e1928 {
                                 } else {
                                     break;
                                 }
-                                let _e1621 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e1937 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1624 = select(0u, 1u, (_e1606.member_3 != 4294967295u));
-                    if (_e1624 > 0u) {
-                        let _e1626 = (3u < _e92);
-                        if _e1626 {
-                            if (2u < _e92) {
+                    let _e1940 = select(0u, 1u, (_e1922.member_3 != 4294967295u));
+                    if (_e1940 > 0u) {
+                        let _e1942 = (3u < _e100);
+                        if _e1942 {
+                            if (2u < _e100) {
                             } else {
                                 break;
                             }
-                            let _e1630 = atomicAdd((&global_9.member[2u]), _e1624);
-                            if ((_e1630 + _e1624) < _e1630) {
-                                if _e1626 {
+                            let _e1946 = atomicAdd((&global_9.member[2u]), _e1940);
+                            if ((_e1946 + _e1940) < _e1946) {
+                                if _e1942 {
                                 } else {
                                     break;
                                 }
-                                let _e1635 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e1951 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

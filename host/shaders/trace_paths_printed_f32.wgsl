@@ -128,435 +128,523 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_273_: u32;
-    var phi_317_: i32;
-    var phi_341_: type_40;
-    var phi_447_: i32;
-    var phi_448_: i32;
-    var phi_458_: bool;
-    var phi_468_: u32;
-    var phi_469_: u32;
-    var phi_471_: bool;
-    var phi_476_: u32;
-    var phi_508_: i32;
-    var phi_526_: f32;
-    var phi_532_: f32;
-    var phi_543_: f32;
-    var phi_549_: f32;
-    var phi_572_: f32;
-    var phi_583_: f32;
-    var phi_592_: f32;
-    var phi_598_: f32;
-    var phi_609_: f32;
-    var phi_615_: f32;
-    var phi_638_: f32;
-    var phi_649_: f32;
-    var phi_658_: f32;
-    var phi_664_: f32;
-    var phi_675_: f32;
-    var phi_681_: f32;
-    var phi_704_: f32;
-    var phi_715_: f32;
-    var phi_815_: f32;
-    var phi_816_: f32;
-    var phi_3490_: bool;
-    var phi_889_: type_43;
-    var phi_892_: type_61;
-    var phi_894_: u32;
-    var phi_896_: bool;
-    var phi_898_: u32;
-    var phi_909_: bool;
-    var phi_995_: type_61;
-    var phi_996_: bool;
-    var phi_997_: u32;
-    var phi_2367_: type_54;
-    var phi_3199_: type_61;
-    var phi_3276_: type_61;
-    var phi_3277_: type_61;
-    var phi_3278_: u32;
-    var phi_3280_: type_61;
-    var phi_3281_: u32;
-    var phi_3282_: bool;
-    var phi_3289_: type_61;
-    var phi_3294_: type_61;
-    var phi_3295_: bool;
-    var phi_1015_: type_43;
-    var phi_1018_: type_8;
-    var phi_1019_: type_8;
-    var phi_1041_: type_8;
-    var phi_1062_: u32;
-    var phi_1151_: array<array<f32, 3>, 3>;
-    var phi_1268_: bool;
-    var phi_1297_: bool;
-    var phi_1698_: f32;
-    var phi_1699_: f32;
-    var phi_1700_: f32;
-    var phi_1701_: f32;
-    var phi_1702_: vec3<f32>;
-    var phi_1703_: vec3<f32>;
-    var phi_1704_: vec3<f32>;
-    var phi_1705_: vec3<f32>;
-    var phi_1736_: bool;
-    var phi_1745_: vec3<f32>;
-    var phi_1910_: f32;
-    var phi_1912_: f32;
-    var phi_1913_: bool;
-    var phi_1933_: f32;
-    var phi_1934_: f32;
-    var phi_1957_: type_27;
-    var phi_1959_: type_27;
-    var phi_1960_: bool;
-    var phi_1964_: type_27;
-    var phi_1965_: type_27;
-    var phi_1966_: type_27;
-    var phi_1967_: bool;
-    var phi_1971_: type_27;
-    var phi_1972_: bool;
-    var phi_1973_: type_27;
-    var phi_1974_: bool;
-    var phi_1975_: bool;
-    var phi_1976_: type_27;
-    var phi_1977_: bool;
-    var phi_1978_: bool;
-    var phi_1986_: type_27;
-    var phi_1987_: bool;
-    var phi_1991_: type_27;
-    var phi_2014_: u32;
-    var phi_2028_: i32;
-    var phi_2048_: vec3<f32>;
-    var phi_2049_: vec3<f32>;
-    var phi_2065_: vec3<f32>;
-    var phi_2066_: vec3<f32>;
-    var phi_2082_: vec3<f32>;
-    var phi_2083_: vec3<f32>;
-    var phi_2119_: vec3<f32>;
-    var phi_2301_: f32;
-    var phi_2319_: bool;
-    var phi_2320_: bool;
-    var phi_2339_: bool;
-    var phi_2340_: bool;
-    var phi_2346_: type_43;
-    var phi_2347_: type_43;
-    var phi_2348_: type_43;
-    var phi_1016_: type_43;
-    var phi_3484_: bool;
-    var phi_3654_: bool;
-    var phi_3297_: type_43;
-    var phi_3298_: type_61;
-    var phi_3299_: bool;
-    var phi_3300_: u32;
-    var phi_3653_: bool;
-    var phi_3301_: type_43;
-    var phi_3302_: type_61;
-    var phi_3303_: u32;
-    var phi_3304_: bool;
-    var phi_3305_: u32;
-    var phi_3652_: bool;
-    var phi_3306_: type_43;
-    var phi_3307_: type_61;
-    var phi_3308_: u32;
-    var phi_3309_: bool;
-    var phi_3310_: u32;
-    var phi_3651_: bool;
-    var phi_890_: type_43;
-    var phi_893_: type_61;
-    var phi_895_: u32;
-    var phi_897_: bool;
-    var phi_899_: u32;
-    var phi_3311_: bool;
-    var phi_3650_: bool;
+    var phi_355_: u32;
+    var phi_399_: i32;
+    var phi_539_: type_40;
+    var phi_645_: i32;
+    var phi_646_: i32;
+    var phi_656_: bool;
+    var phi_666_: u32;
+    var phi_667_: u32;
+    var phi_669_: bool;
+    var phi_674_: u32;
+    var phi_706_: i32;
+    var phi_724_: f32;
+    var phi_730_: f32;
+    var phi_770_: f32;
+    var phi_776_: f32;
+    var phi_828_: f32;
+    var phi_839_: f32;
+    var phi_848_: f32;
+    var phi_854_: f32;
+    var phi_894_: f32;
+    var phi_900_: f32;
+    var phi_952_: f32;
+    var phi_963_: f32;
+    var phi_972_: f32;
+    var phi_978_: f32;
+    var phi_1018_: f32;
+    var phi_1024_: f32;
+    var phi_1076_: f32;
+    var phi_1087_: f32;
+    var phi_1142_: i32;
+    var phi_1164_: u32;
+    var phi_1165_: u32;
+    var phi_1202_: i32;
+    var phi_1224_: u32;
+    var phi_1225_: u32;
+    var phi_1233_: f32;
+    var phi_1234_: f32;
+    var phi_4030_: bool;
+    var phi_1307_: type_43;
+    var phi_1310_: type_61;
+    var phi_1312_: u32;
+    var phi_1314_: bool;
+    var phi_1316_: u32;
+    var phi_1327_: bool;
+    var phi_1413_: type_61;
+    var phi_1414_: bool;
+    var phi_1415_: u32;
+    var phi_2785_: type_54;
+    var phi_3641_: type_61;
+    var phi_3718_: type_61;
+    var phi_3719_: type_61;
+    var phi_3720_: u32;
+    var phi_3722_: type_61;
+    var phi_3723_: u32;
+    var phi_3724_: bool;
+    var phi_3731_: type_61;
+    var phi_3736_: type_61;
+    var phi_3737_: bool;
+    var phi_1433_: type_43;
+    var phi_1436_: type_8;
+    var phi_1437_: type_8;
+    var phi_1459_: type_8;
+    var phi_1480_: u32;
+    var phi_1569_: array<array<f32, 3>, 3>;
+    var phi_1686_: bool;
+    var phi_1715_: bool;
+    var phi_2116_: f32;
+    var phi_2117_: f32;
+    var phi_2118_: f32;
+    var phi_2119_: f32;
+    var phi_2120_: vec3<f32>;
+    var phi_2121_: vec3<f32>;
+    var phi_2122_: vec3<f32>;
+    var phi_2123_: vec3<f32>;
+    var phi_2154_: bool;
+    var phi_2163_: vec3<f32>;
+    var phi_2328_: f32;
+    var phi_2330_: f32;
+    var phi_2331_: bool;
+    var phi_2351_: f32;
+    var phi_2352_: f32;
+    var phi_2375_: type_27;
+    var phi_2377_: type_27;
+    var phi_2378_: bool;
+    var phi_2382_: type_27;
+    var phi_2383_: type_27;
+    var phi_2384_: type_27;
+    var phi_2385_: bool;
+    var phi_2389_: type_27;
+    var phi_2390_: bool;
+    var phi_2391_: type_27;
+    var phi_2392_: bool;
+    var phi_2393_: bool;
+    var phi_2394_: type_27;
+    var phi_2395_: bool;
+    var phi_2396_: bool;
+    var phi_2404_: type_27;
+    var phi_2405_: bool;
+    var phi_2409_: type_27;
+    var phi_2432_: u32;
+    var phi_2446_: i32;
+    var phi_2466_: vec3<f32>;
+    var phi_2467_: vec3<f32>;
+    var phi_2483_: vec3<f32>;
+    var phi_2484_: vec3<f32>;
+    var phi_2500_: vec3<f32>;
+    var phi_2501_: vec3<f32>;
+    var phi_2537_: vec3<f32>;
+    var phi_2719_: f32;
+    var phi_2737_: bool;
+    var phi_2738_: bool;
+    var phi_2757_: bool;
+    var phi_2758_: bool;
+    var phi_2764_: type_43;
+    var phi_2765_: type_43;
+    var phi_2766_: type_43;
+    var phi_1434_: type_43;
+    var phi_4024_: bool;
+    var phi_4220_: bool;
+    var phi_3739_: type_43;
+    var phi_3740_: type_61;
+    var phi_3741_: bool;
+    var phi_3742_: u32;
+    var phi_4219_: bool;
+    var phi_3743_: type_43;
+    var phi_3744_: type_61;
+    var phi_3745_: u32;
+    var phi_3746_: bool;
+    var phi_3747_: u32;
+    var phi_4218_: bool;
+    var phi_3748_: type_43;
+    var phi_3749_: type_61;
+    var phi_3750_: u32;
+    var phi_3751_: bool;
+    var phi_3752_: u32;
+    var phi_4217_: bool;
+    var phi_1308_: type_43;
+    var phi_1311_: type_61;
+    var phi_1313_: u32;
+    var phi_1315_: bool;
+    var phi_1317_: u32;
+    var phi_3753_: bool;
+    var phi_4216_: bool;
     var local_10: type_43;
-    var phi_3363_: type_27;
+    var phi_3791_: f32;
+    var phi_3793_: f32;
+    var phi_3794_: bool;
+    var phi_3795_: f32;
+    var phi_3796_: bool;
+    var phi_3944_: u32;
+    var phi_3962_: bool;
+    var phi_3965_: bool;
+    var phi_3978_: f32;
+    var phi_3979_: f32;
+    var phi_3984_: f32;
+    var phi_3985_: f32;
+    var phi_3986_: bool;
+    var phi_3994_: f32;
+    var phi_3811_: f32;
+    var phi_3812_: f32;
+    var phi_3824_: f32;
+    var phi_3829_: type_27;
     var local_11: type_43;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e88 = global;
-            let _e91 = arrayLength((&global_10.member));
-            let _e93 = arrayLength((&global_4.member));
-            let _e105 = arrayLength((&global_9.member));
-            let _e109 = global_3.member[0u][0u];
-            let _e113 = global_3.member[0u][1u];
-            let _e117 = global_3.member[0u][2u];
-            let _e121 = global_3.member[1u][0u];
-            let _e125 = global_3.member[1u][1u];
-            let _e129 = global_3.member[1u][2u];
-            let _e133 = global_3.member[1u][3u];
-            let _e137 = (_e88.x + (_e88.y * 2097152u));
-            let _e144 = (_e137 < arrayLength((&global_7.member)));
-            if _e144 {
-                if _e144 {
+            let _e95 = global;
+            let _e98 = arrayLength((&global_10.member));
+            let _e100 = arrayLength((&global_4.member));
+            let _e112 = arrayLength((&global_9.member));
+            let _e116 = global_3.member[0u][0u];
+            let _e120 = global_3.member[0u][1u];
+            let _e124 = global_3.member[0u][2u];
+            let _e128 = global_3.member[1u][0u];
+            let _e132 = global_3.member[1u][1u];
+            let _e136 = global_3.member[1u][2u];
+            let _e140 = global_3.member[1u][3u];
+            let _e144 = (_e95.x + (_e95.y * 2097152u));
+            let _e151 = (_e144 < arrayLength((&global_7.member)));
+            if _e151 {
+                if _e151 {
                 } else {
                     break;
                 }
-                let _e148 = global_7.member[_e137].member_2;
-                phi_273_ = _e148;
+                let _e155 = global_7.member[_e144].member_2;
+                phi_355_ = _e155;
             } else {
-                phi_273_ = 4294967295u;
+                phi_355_ = 4294967295u;
             }
-            let _e150 = phi_273_;
-            let _e153 = global_1.member[0u];
-            let _e157 = global_2.member[0u][0u];
-            let _e161 = global_2.member[0u][1u];
-            let _e165 = global_2.member[0u][2u];
-            let _e169 = global_2.member[0u][3u];
-            let _e173 = global_2.member[1u][0u];
-            let _e177 = global_2.member[1u][1u];
-            let _e181 = global_2.member[1u][2u];
-            let _e185 = global_2.member[1u][3u];
-            let _e186 = bitcast<f32>(_e157);
-            let _e187 = bitcast<f32>(_e161);
-            let _e188 = bitcast<f32>(_e165);
-            let _e190 = bitcast<f32>(_e173);
-            let _e191 = array<u32, 3>(_e177, _e181, _e185);
-            let _e193 = bitcast<i32>(_e153);
-            if (_e193 < -126i) {
-                phi_317_ = -126i;
+            let _e157 = phi_355_;
+            let _e160 = global_1.member[0u];
+            let _e164 = global_2.member[0u][0u];
+            let _e168 = global_2.member[0u][1u];
+            let _e172 = global_2.member[0u][2u];
+            let _e176 = global_2.member[0u][3u];
+            let _e180 = global_2.member[1u][0u];
+            let _e184 = global_2.member[1u][1u];
+            let _e188 = global_2.member[1u][2u];
+            let _e192 = global_2.member[1u][3u];
+            let _e193 = bitcast<f32>(_e164);
+            let _e194 = bitcast<f32>(_e168);
+            let _e195 = bitcast<f32>(_e172);
+            let _e197 = bitcast<f32>(_e180);
+            let _e198 = array<u32, 3>(_e184, _e188, _e192);
+            let _e200 = bitcast<i32>(_e160);
+            if (_e200 < -126i) {
+                phi_399_ = -126i;
             } else {
-                phi_317_ = select(_e193, 127i, (_e193 > 127i));
+                phi_399_ = select(_e200, 127i, (_e200 > 127i));
             }
-            let _e198 = phi_317_;
-            let _e203 = bitcast<f32>((bitcast<u32>((_e198 + 127i)) << bitcast<u32>(23i)));
-            let _e209 = bitcast<f32>((bitcast<u32>(((_e193 - _e198) + 127i)) << bitcast<u32>(23i)));
-            if (_e169 == 0u) {
-                phi_341_ = type_40(array<f32, 3>(_e186, _e187, _e188), _e169, _e190, _e191);
+            let _e205 = phi_399_;
+            let _e210 = bitcast<f32>((bitcast<u32>((_e205 + 127i)) << bitcast<u32>(23i)));
+            let _e216 = bitcast<f32>((bitcast<u32>(((_e200 - _e205) + 127i)) << bitcast<u32>(23i)));
+            if (_e176 == 0u) {
+                phi_539_ = type_40(array<f32, 3>(_e193, _e194, _e195), _e176, _e197, _e198);
             } else {
-                phi_341_ = type_40(array<f32, 3>(((_e186 * _e203) * _e209), ((_e187 * _e203) * _e209), ((_e188 * _e203) * _e209)), _e169, ((_e190 * _e203) * _e209), _e191);
+                let _e218 = bitcast<u32>(_e193);
+                let _e220 = ((_e218 & 2139095040u) != 0u);
+                let _e235 = bitcast<u32>(_e194);
+                let _e237 = ((_e235 & 2139095040u) != 0u);
+                let _e252 = bitcast<u32>(_e195);
+                let _e254 = ((_e252 & 2139095040u) != 0u);
+                let _e270 = bitcast<u32>(_e197);
+                let _e272 = ((_e270 & 2139095040u) != 0u);
+                phi_539_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e218 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e218 & 2147483648u))), _e193, _e220) * _e210) * select(0.00000011920929f, 1f, _e220)) * _e216), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e194, _e237) * _e210) * select(0.00000011920929f, 1f, _e237)) * _e216), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e195, _e254) * _e210) * select(0.00000011920929f, 1f, _e254)) * _e216)), _e176, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e270 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e270 & 2147483648u))), _e197, _e272) * _e210) * select(0.00000011920929f, 1f, _e272)) * _e216), _e198);
             }
-            let _e222 = phi_341_;
-            if _e144 {
-                let _e223 = (_e137 < arrayLength((&global_8.member)));
-                if _e223 {
-                    if _e144 {
+            let _e289 = phi_539_;
+            if _e151 {
+                let _e290 = (_e144 < arrayLength((&global_8.member)));
+                if _e290 {
+                    if _e151 {
                     } else {
                         break;
                     }
-                    let _e233 = global_7.member[_e137].member.member_2[0u];
-                    let _e235 = (bitcast<u32>(_e233) & 2147483647u);
-                    let _e241 = global_7.member[_e137].member.member_2[1u];
-                    let _e243 = (bitcast<u32>(_e241) & 2147483647u);
-                    let _e249 = global_7.member[_e137].member.member_2[2u];
-                    let _e251 = (bitcast<u32>(_e249) & 2147483647u);
-                    let _e257 = global_7.member[_e137].member.member[0u];
-                    let _e259 = (bitcast<u32>(_e257) & 2147483647u);
-                    let _e265 = global_7.member[_e137].member.member[1u];
-                    let _e267 = (bitcast<u32>(_e265) & 2147483647u);
-                    let _e273 = global_7.member[_e137].member.member[2u];
-                    let _e275 = (bitcast<u32>(_e273) & 2147483647u);
-                    let _e277 = select(_e243, _e235, (_e243 < _e235));
-                    let _e279 = select(_e251, _e277, (_e251 < _e277));
-                    let _e281 = select(_e259, _e279, (_e259 < _e279));
-                    let _e283 = select(_e267, _e281, (_e267 < _e281));
-                    let _e285 = select(_e275, _e283, (_e275 < _e283));
-                    let _e290 = global_7.member[_e137].member.member_1;
-                    let _e292 = (bitcast<u32>(_e290) & 2147483647u);
-                    let _e300 = global_7.member[_e137].member.member_3;
-                    let _e306 = (((select(_e292, _e285, (_e292 < _e285)) < 2139095040u) && ((bitcast<u32>(_e300) & 2147483647u) <= 2139095040u)) && (_e279 > 0u));
-                    if _e306 {
-                        let _e309 = (bitcast<u32>(bitcast<f32>(_e279)) & 2147483647u);
-                        if (_e309 >= 8388608u) {
-                            phi_447_ = (bitcast<i32>((_e309 >> bitcast<u32>(23i))) - 127i);
+                    let _e300 = global_7.member[_e144].member.member_2[0u];
+                    let _e302 = (bitcast<u32>(_e300) & 2147483647u);
+                    let _e308 = global_7.member[_e144].member.member_2[1u];
+                    let _e310 = (bitcast<u32>(_e308) & 2147483647u);
+                    let _e316 = global_7.member[_e144].member.member_2[2u];
+                    let _e318 = (bitcast<u32>(_e316) & 2147483647u);
+                    let _e324 = global_7.member[_e144].member.member[0u];
+                    let _e326 = (bitcast<u32>(_e324) & 2147483647u);
+                    let _e332 = global_7.member[_e144].member.member[1u];
+                    let _e334 = (bitcast<u32>(_e332) & 2147483647u);
+                    let _e340 = global_7.member[_e144].member.member[2u];
+                    let _e342 = (bitcast<u32>(_e340) & 2147483647u);
+                    let _e344 = select(_e310, _e302, (_e310 < _e302));
+                    let _e346 = select(_e318, _e344, (_e318 < _e344));
+                    let _e348 = select(_e326, _e346, (_e326 < _e346));
+                    let _e350 = select(_e334, _e348, (_e334 < _e348));
+                    let _e352 = select(_e342, _e350, (_e342 < _e350));
+                    let _e357 = global_7.member[_e144].member.member_1;
+                    let _e358 = bitcast<u32>(_e357);
+                    let _e359 = (_e358 & 2147483647u);
+                    let _e367 = global_7.member[_e144].member.member_3;
+                    let _e368 = bitcast<u32>(_e367);
+                    let _e369 = (_e368 & 2147483647u);
+                    let _e373 = (((select(_e359, _e352, (_e359 < _e352)) < 2139095040u) && (_e369 <= 2139095040u)) && (_e346 > 0u));
+                    if _e373 {
+                        let _e376 = (bitcast<u32>(bitcast<f32>(_e346)) & 2147483647u);
+                        if (_e376 >= 8388608u) {
+                            phi_645_ = (bitcast<i32>((_e376 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_447_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e309)), 32u, (_e309 == 0u))));
+                            phi_645_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e376)), 32u, (_e376 == 0u))));
                         }
-                        let _e323 = phi_447_;
-                        phi_448_ = _e323;
+                        let _e390 = phi_645_;
+                        phi_646_ = _e390;
                     } else {
-                        phi_448_ = 0i;
+                        phi_646_ = 0i;
                     }
-                    let _e325 = phi_448_;
-                    let _e326 = (_e235 == _e279);
-                    if _e326 {
-                        phi_458_ = true;
+                    let _e392 = phi_646_;
+                    let _e393 = (_e302 == _e346);
+                    if _e393 {
+                        phi_656_ = true;
                     } else {
-                        phi_458_ = (_e243 == _e279);
+                        phi_656_ = (_e310 == _e346);
                     }
-                    let _e329 = phi_458_;
-                    let _e330 = select(1u, 0u, _e326);
-                    if _e329 {
-                        let _e331 = (_e330 + 1u);
-                        phi_468_ = _e331;
-                        phi_469_ = _e331;
-                        phi_471_ = select(true, false, (_e331 == 2u));
+                    let _e396 = phi_656_;
+                    let _e397 = select(1u, 0u, _e393);
+                    if _e396 {
+                        let _e398 = (_e397 + 1u);
+                        phi_666_ = _e398;
+                        phi_667_ = _e398;
+                        phi_669_ = select(true, false, (_e398 == 2u));
                     } else {
-                        phi_468_ = u32();
-                        phi_469_ = 0u;
-                        phi_471_ = true;
+                        phi_666_ = u32();
+                        phi_667_ = 0u;
+                        phi_669_ = true;
                     }
-                    let _e335 = phi_468_;
-                    let _e337 = phi_469_;
-                    let _e339 = phi_471_;
-                    if _e339 {
-                        phi_476_ = (_e337 + 1u);
+                    let _e402 = phi_666_;
+                    let _e404 = phi_667_;
+                    let _e406 = phi_669_;
+                    if _e406 {
+                        phi_674_ = (_e404 + 1u);
                     } else {
-                        phi_476_ = 0u;
+                        phi_674_ = 0u;
                     }
-                    let _e343 = phi_476_;
-                    let _e344 = select(_e335, _e337, _e339);
-                    let _e345 = select(_e330, select(2u, _e330, _e329), _e339);
-                    let _e346 = -(_e325);
-                    if (_e346 < -126i) {
-                        phi_508_ = -126i;
+                    let _e410 = phi_674_;
+                    let _e411 = select(_e402, _e404, _e406);
+                    let _e412 = select(_e397, select(2u, _e397, _e396), _e406);
+                    let _e413 = -(_e392);
+                    if (_e413 < -126i) {
+                        phi_706_ = -126i;
                     } else {
-                        phi_508_ = select(_e346, 127i, (_e346 > 127i));
+                        phi_706_ = select(_e413, 127i, (_e413 > 127i));
                     }
-                    let _e351 = phi_508_;
-                    let _e356 = bitcast<f32>((bitcast<u32>((_e351 + 127i)) << bitcast<u32>(23i)));
-                    let _e362 = bitcast<f32>((bitcast<u32>(((_e346 - _e351) + 127i)) << bitcast<u32>(23i)));
-                    let _e367 = global_7.member[_e137].member.member;
-                    let _e368 = (_e344 == 0u);
-                    if _e368 {
-                        phi_526_ = _e367[0];
+                    let _e418 = phi_706_;
+                    let _e423 = bitcast<f32>((bitcast<u32>((_e418 + 127i)) << bitcast<u32>(23i)));
+                    let _e429 = bitcast<f32>((bitcast<u32>(((_e413 - _e418) + 127i)) << bitcast<u32>(23i)));
+                    let _e434 = global_7.member[_e144].member.member;
+                    let _e435 = (_e411 == 0u);
+                    if _e435 {
+                        phi_724_ = _e434[0];
                     } else {
-                        phi_526_ = _e367[1];
+                        phi_724_ = _e434[1];
                     }
-                    let _e372 = phi_526_;
-                    let _e373 = (_e344 == 2u);
-                    if _e373 {
-                        phi_532_ = _e367[2];
+                    let _e439 = phi_724_;
+                    let _e440 = (_e411 == 2u);
+                    if _e440 {
+                        phi_730_ = _e434[2];
                     } else {
-                        phi_532_ = _e372;
+                        phi_730_ = _e439;
                     }
-                    let _e376 = phi_532_;
-                    let _e377 = global_7.member[_e137].member.member_2;
-                    if _e368 {
-                        phi_543_ = _e377[0];
+                    let _e443 = phi_730_;
+                    let _e444 = bitcast<u32>(_e443);
+                    let _e446 = ((_e444 & 2139095040u) != 0u);
+                    let _e458 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e444 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e444 & 2147483648u))), _e443, _e446) * select(0.00000011920929f, 1f, _e446));
+                    let _e459 = global_7.member[_e144].member.member_2;
+                    if _e435 {
+                        phi_770_ = _e459[0];
                     } else {
-                        phi_543_ = _e377[1];
+                        phi_770_ = _e459[1];
                     }
-                    let _e381 = phi_543_;
-                    if _e373 {
-                        phi_549_ = _e377[2];
+                    let _e463 = phi_770_;
+                    if _e440 {
+                        phi_776_ = _e459[2];
                     } else {
-                        phi_549_ = _e381;
+                        phi_776_ = _e463;
                     }
-                    let _e384 = phi_549_;
-                    let _e386 = ((_e384 * _e356) * _e362);
-                    let _e390 = (bitcast<f32>((bitcast<u32>(_e386) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e390 {
-                        let _e394 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) * 0.00000011920929f);
-                        phi_572_ = select(0.00000000000011368684f, _e394, (_e394 > 0.00000000000011368684f));
+                    let _e466 = phi_776_;
+                    let _e467 = bitcast<u32>(_e466);
+                    let _e469 = ((_e467 & 2139095040u) != 0u);
+                    let _e483 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e467 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e467 & 2147483648u))), _e466, _e469) * _e423) * select(0.00000011920929f, 1f, _e469)) * _e429);
+                    let _e487 = (bitcast<f32>((bitcast<u32>(_e483) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e487 {
+                        let _e491 = (bitcast<f32>((bitcast<u32>(_e458) & 2147483647u)) * 0.00000011920929f);
+                        phi_828_ = select(0.00000000000011368684f, _e491, (_e491 > 0.00000000000011368684f));
                     } else {
-                        phi_572_ = 0f;
+                        phi_828_ = 0f;
                     }
-                    let _e398 = phi_572_;
-                    let _e399 = (_e376 + _e398);
-                    let _e400 = (_e376 - _e398);
-                    let _e401 = select(_e386, 0f, _e390);
-                    if _e390 {
-                        phi_583_ = 38685626000000000000000000f;
+                    let _e495 = phi_828_;
+                    let _e496 = (_e458 + _e495);
+                    let _e497 = (_e458 - _e495);
+                    let _e498 = select(_e483, 0f, _e487);
+                    if _e487 {
+                        phi_839_ = 38685626000000000000000000f;
                     } else {
-                        phi_583_ = (1f / _e386);
+                        phi_839_ = (1f / _e483);
                     }
-                    let _e404 = phi_583_;
-                    let _e405 = (_e343 == 0u);
-                    if _e405 {
-                        phi_592_ = _e367[0];
+                    let _e501 = phi_839_;
+                    let _e502 = (_e410 == 0u);
+                    if _e502 {
+                        phi_848_ = _e434[0];
                     } else {
-                        phi_592_ = _e367[1];
+                        phi_848_ = _e434[1];
                     }
-                    let _e409 = phi_592_;
-                    let _e410 = (_e343 == 2u);
-                    if _e410 {
-                        phi_598_ = _e367[2];
+                    let _e506 = phi_848_;
+                    let _e507 = (_e410 == 2u);
+                    if _e507 {
+                        phi_854_ = _e434[2];
                     } else {
-                        phi_598_ = _e409;
+                        phi_854_ = _e506;
                     }
-                    let _e413 = phi_598_;
-                    if _e405 {
-                        phi_609_ = _e377[0];
+                    let _e510 = phi_854_;
+                    let _e511 = bitcast<u32>(_e510);
+                    let _e513 = ((_e511 & 2139095040u) != 0u);
+                    let _e525 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e511 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e511 & 2147483648u))), _e510, _e513) * select(0.00000011920929f, 1f, _e513));
+                    if _e502 {
+                        phi_894_ = _e459[0];
                     } else {
-                        phi_609_ = _e377[1];
+                        phi_894_ = _e459[1];
                     }
-                    let _e417 = phi_609_;
-                    if _e410 {
-                        phi_615_ = _e377[2];
+                    let _e529 = phi_894_;
+                    if _e507 {
+                        phi_900_ = _e459[2];
                     } else {
-                        phi_615_ = _e417;
+                        phi_900_ = _e529;
                     }
-                    let _e420 = phi_615_;
-                    let _e422 = ((_e420 * _e356) * _e362);
-                    let _e426 = (bitcast<f32>((bitcast<u32>(_e422) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e426 {
-                        let _e430 = (bitcast<f32>((bitcast<u32>(_e413) & 2147483647u)) * 0.00000011920929f);
-                        phi_638_ = select(0.00000000000011368684f, _e430, (_e430 > 0.00000000000011368684f));
+                    let _e532 = phi_900_;
+                    let _e533 = bitcast<u32>(_e532);
+                    let _e535 = ((_e533 & 2139095040u) != 0u);
+                    let _e549 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e533 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e533 & 2147483648u))), _e532, _e535) * _e423) * select(0.00000011920929f, 1f, _e535)) * _e429);
+                    let _e553 = (bitcast<f32>((bitcast<u32>(_e549) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e553 {
+                        let _e557 = (bitcast<f32>((bitcast<u32>(_e525) & 2147483647u)) * 0.00000011920929f);
+                        phi_952_ = select(0.00000000000011368684f, _e557, (_e557 > 0.00000000000011368684f));
                     } else {
-                        phi_638_ = 0f;
+                        phi_952_ = 0f;
                     }
-                    let _e434 = phi_638_;
-                    let _e435 = (_e413 + _e434);
-                    let _e436 = (_e413 - _e434);
-                    let _e437 = select(_e422, 0f, _e426);
-                    if _e426 {
-                        phi_649_ = 38685626000000000000000000f;
+                    let _e561 = phi_952_;
+                    let _e562 = (_e525 + _e561);
+                    let _e563 = (_e525 - _e561);
+                    let _e564 = select(_e549, 0f, _e553);
+                    if _e553 {
+                        phi_963_ = 38685626000000000000000000f;
                     } else {
-                        phi_649_ = (1f / _e422);
+                        phi_963_ = (1f / _e549);
                     }
-                    let _e440 = phi_649_;
-                    let _e441 = (_e345 == 0u);
-                    if _e441 {
-                        phi_658_ = _e367[0];
+                    let _e567 = phi_963_;
+                    let _e568 = (_e412 == 0u);
+                    if _e568 {
+                        phi_972_ = _e434[0];
                     } else {
-                        phi_658_ = _e367[1];
+                        phi_972_ = _e434[1];
                     }
-                    let _e445 = phi_658_;
-                    let _e446 = (_e345 == 2u);
-                    if _e446 {
-                        phi_664_ = _e367[2];
+                    let _e572 = phi_972_;
+                    let _e573 = (_e412 == 2u);
+                    if _e573 {
+                        phi_978_ = _e434[2];
                     } else {
-                        phi_664_ = _e445;
+                        phi_978_ = _e572;
                     }
-                    let _e449 = phi_664_;
-                    if _e441 {
-                        phi_675_ = _e377[0];
+                    let _e576 = phi_978_;
+                    let _e577 = bitcast<u32>(_e576);
+                    let _e579 = ((_e577 & 2139095040u) != 0u);
+                    let _e591 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e577 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e577 & 2147483648u))), _e576, _e579) * select(0.00000011920929f, 1f, _e579));
+                    if _e568 {
+                        phi_1018_ = _e459[0];
                     } else {
-                        phi_675_ = _e377[1];
+                        phi_1018_ = _e459[1];
                     }
-                    let _e453 = phi_675_;
-                    if _e446 {
-                        phi_681_ = _e377[2];
+                    let _e595 = phi_1018_;
+                    if _e573 {
+                        phi_1024_ = _e459[2];
                     } else {
-                        phi_681_ = _e453;
+                        phi_1024_ = _e595;
                     }
-                    let _e456 = phi_681_;
-                    let _e458 = ((_e456 * _e356) * _e362);
-                    let _e462 = (bitcast<f32>((bitcast<u32>(_e458) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e462 {
-                        let _e466 = (bitcast<f32>((bitcast<u32>(_e449) & 2147483647u)) * 0.00000011920929f);
-                        phi_704_ = select(0.00000000000011368684f, _e466, (_e466 > 0.00000000000011368684f));
+                    let _e598 = phi_1024_;
+                    let _e599 = bitcast<u32>(_e598);
+                    let _e601 = ((_e599 & 2139095040u) != 0u);
+                    let _e615 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e599 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e599 & 2147483648u))), _e598, _e601) * _e423) * select(0.00000011920929f, 1f, _e601)) * _e429);
+                    let _e619 = (bitcast<f32>((bitcast<u32>(_e615) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e619 {
+                        let _e623 = (bitcast<f32>((bitcast<u32>(_e591) & 2147483647u)) * 0.00000011920929f);
+                        phi_1076_ = select(0.00000000000011368684f, _e623, (_e623 > 0.00000000000011368684f));
                     } else {
-                        phi_704_ = 0f;
+                        phi_1076_ = 0f;
                     }
-                    let _e470 = phi_704_;
-                    let _e471 = (_e449 + _e470);
-                    let _e472 = (_e449 - _e470);
-                    let _e473 = select(_e458, 0f, _e462);
-                    if _e462 {
-                        phi_715_ = 38685626000000000000000000f;
+                    let _e627 = phi_1076_;
+                    let _e628 = (_e591 + _e627);
+                    let _e629 = (_e591 - _e627);
+                    let _e630 = select(_e615, 0f, _e619);
+                    if _e619 {
+                        phi_1087_ = 38685626000000000000000000f;
                     } else {
-                        phi_715_ = (1f / _e458);
+                        phi_1087_ = (1f / _e615);
                     }
-                    let _e476 = phi_715_;
-                    let _e479 = bitcast<f32>((bitcast<u32>(_e376) & 2147483647u));
-                    let _e482 = bitcast<f32>((bitcast<u32>(_e413) & 2147483647u));
-                    let _e484 = select(_e482, _e479, (_e479 > _e482));
-                    let _e487 = bitcast<f32>((bitcast<u32>(_e449) & 2147483647u));
-                    if (_e306 && (select(_e487, _e484, (_e484 > _e487)) <= 1099511600000f)) {
-                        let _e492 = (_e325 / 3i);
-                        let _e499 = bitcast<f32>((bitcast<u32>((_e492 + 127i)) << bitcast<u32>(23i)));
-                        let _e506 = bitcast<f32>((bitcast<u32>(((_e325 - (2i * _e492)) + 127i)) << bitcast<u32>(23i)));
-                        let _e507 = (((_e290 * _e499) * _e499) * _e506);
-                        let _e509 = select(340282350000000000000000000000000000000f, _e507, (_e507 < 340282350000000000000000000000000000000f));
-                        let _e514 = (((_e300 * _e499) * _e499) * _e506);
-                        let _e516 = select(340282350000000000000000000000000000000f, _e514, (_e514 < 340282350000000000000000000000000000000f));
-                        phi_815_ = select(-340282350000000000000000000000000000000f, _e516, (_e516 > -340282350000000000000000000000000000000f));
-                        phi_816_ = select(-340282350000000000000000000000000000000f, _e509, (_e509 > -340282350000000000000000000000000000000f));
+                    let _e633 = phi_1087_;
+                    let _e636 = bitcast<f32>((bitcast<u32>(_e458) & 2147483647u));
+                    let _e639 = bitcast<f32>((bitcast<u32>(_e525) & 2147483647u));
+                    let _e641 = select(_e639, _e636, (_e636 > _e639));
+                    let _e644 = bitcast<f32>((bitcast<u32>(_e591) & 2147483647u));
+                    if (_e373 && (select(_e644, _e641, (_e641 > _e644)) <= 1099511600000f)) {
+                        let _e656 = ((_e359 & 8388607u) | (select(0u, 1u, ((_e359 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e659 = bitcast<i32>((_e359 >> bitcast<u32>(23i)));
+                        let _e663 = (_e656 == 0u);
+                        let _e666 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e656)), 32u, _e663)) - 8i);
+                        if (_e659 == 255i) {
+                            phi_1142_ = 255i;
+                        } else {
+                            phi_1142_ = (((_e659 + select(0i, 1i, (_e659 == 0i))) - _e666) + _e392);
+                        }
+                        let _e674 = phi_1142_;
+                        let _e684 = (_e674 <= 0i);
+                        if _e684 {
+                            phi_1165_ = u32();
+                        } else {
+                            if _e663 {
+                                phi_1164_ = u32();
+                            } else {
+                                phi_1164_ = select(((bitcast<u32>(_e674) << bitcast<u32>(23i)) | ((_e656 << bitcast<u32>(((_e666 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e674 >= 255i));
+                            }
+                            let _e688 = phi_1164_;
+                            phi_1165_ = _e688;
+                        }
+                        let _e690 = phi_1165_;
+                        let _e702 = ((_e369 & 8388607u) | (select(0u, 1u, ((_e369 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e705 = bitcast<i32>((_e369 >> bitcast<u32>(23i)));
+                        let _e709 = (_e702 == 0u);
+                        let _e712 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e702)), 32u, _e709)) - 8i);
+                        if (_e705 == 255i) {
+                            phi_1202_ = 255i;
+                        } else {
+                            phi_1202_ = (((_e705 + select(0i, 1i, (_e705 == 0i))) - _e712) + _e392);
+                        }
+                        let _e720 = phi_1202_;
+                        let _e730 = (_e720 <= 0i);
+                        if _e730 {
+                            phi_1225_ = u32();
+                        } else {
+                            if _e709 {
+                                phi_1224_ = u32();
+                            } else {
+                                phi_1224_ = select(((bitcast<u32>(_e720) << bitcast<u32>(23i)) | ((_e702 << bitcast<u32>(((_e712 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e720 >= 255i));
+                            }
+                            let _e734 = phi_1224_;
+                            phi_1225_ = _e734;
+                        }
+                        let _e736 = phi_1225_;
+                        phi_1233_ = bitcast<f32>(((_e368 & 2147483648u) | select(_e736, 0u, select(_e709, true, _e730))));
+                        phi_1234_ = bitcast<f32>(((_e358 & 2147483648u) | select(_e690, 0u, select(_e663, true, _e684))));
                     } else {
-                        phi_815_ = 0f;
-                        phi_816_ = 1f;
+                        phi_1233_ = 0f;
+                        phi_1234_ = 1f;
                     }
-                    let _e520 = phi_815_;
-                    let _e522 = phi_816_;
+                    let _e742 = phi_1233_;
+                    let _e744 = phi_1234_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -565,1025 +653,1124 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e109), bitcast<f32>(_e113), bitcast<f32>(_e117));
-                    let _e527 = (_e344 % 3u);
-                    let _e528 = (_e527 < 3u);
-                    if _e528 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e116), bitcast<f32>(_e120), bitcast<f32>(_e124));
+                    let _e749 = (_e411 % 3u);
+                    let _e750 = (_e749 < 3u);
+                    if _e750 {
                     } else {
                         break;
                     }
-                    let _e530 = local_9[_e527];
-                    let _e531 = (_e343 % 3u);
-                    let _e532 = (_e531 < 3u);
-                    if _e532 {
+                    let _e752 = local_9[_e749];
+                    let _e753 = (_e410 % 3u);
+                    let _e754 = (_e753 < 3u);
+                    if _e754 {
                     } else {
                         break;
                     }
-                    let _e534 = local_9[_e531];
-                    let _e535 = (_e345 % 3u);
-                    let _e536 = (_e535 < 3u);
-                    if _e536 {
+                    let _e756 = local_9[_e753];
+                    let _e757 = (_e412 % 3u);
+                    let _e758 = (_e757 < 3u);
+                    if _e758 {
                     } else {
                         break;
                     }
-                    let _e538 = local_9[_e535];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e121), bitcast<f32>(_e125), bitcast<f32>(_e129));
-                    if _e528 {
+                    let _e760 = local_9[_e757];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e128), bitcast<f32>(_e132), bitcast<f32>(_e136));
+                    if _e750 {
                     } else {
                         break;
                     }
-                    let _e542 = local_8[_e527];
-                    if _e532 {
+                    let _e764 = local_8[_e749];
+                    if _e754 {
                     } else {
                         break;
                     }
-                    let _e544 = local_8[_e531];
-                    if _e536 {
+                    let _e766 = local_8[_e753];
+                    if _e758 {
                     } else {
                         break;
                     }
-                    let _e546 = local_8[_e535];
-                    phi_3490_ = false;
-                    phi_889_ = type_43(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e520);
-                    phi_892_ = type_61(type_59(array<f32, 3>(_e530, _e534, _e538), array<f32, 3>(_e542, _e544, _e546)), select(0u, 2147483648u, (_e91 == 0u)));
-                    phi_894_ = ((3u * _e91) + 1u);
-                    phi_896_ = (_e522 <= _e520);
-                    phi_898_ = 0u;
+                    let _e768 = local_8[_e757];
+                    phi_4030_ = false;
+                    phi_1307_ = type_43(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e742);
+                    phi_1310_ = type_61(type_59(array<f32, 3>(_e752, _e756, _e760), array<f32, 3>(_e764, _e766, _e768)), select(0u, 2147483648u, (_e98 == 0u)));
+                    phi_1312_ = ((3u * _e98) + 1u);
+                    phi_1314_ = (_e744 <= _e742);
+                    phi_1316_ = 0u;
                     loop {
-                        let _e554 = phi_3490_;
-                        let _e556 = phi_889_;
-                        let _e558 = phi_892_;
-                        let _e560 = phi_894_;
-                        let _e562 = phi_896_;
-                        let _e564 = phi_898_;
-                        local_10 = _e556;
-                        if _e562 {
-                            phi_909_ = true;
+                        let _e776 = phi_4030_;
+                        let _e778 = phi_1307_;
+                        let _e780 = phi_1310_;
+                        let _e782 = phi_1312_;
+                        let _e784 = phi_1314_;
+                        let _e786 = phi_1316_;
+                        local_10 = _e778;
+                        if _e784 {
+                            phi_1327_ = true;
                         } else {
-                            phi_909_ = (_e564 > 0u);
+                            phi_1327_ = (_e786 > 0u);
                         }
-                        let _e567 = phi_909_;
-                        if _e567 {
-                            let _e568 = (_e560 > 0u);
-                            if _e568 {
-                                if _e562 {
-                                    phi_995_ = _e558;
-                                    phi_996_ = _e562;
-                                    phi_997_ = _e564;
+                        let _e789 = phi_1327_;
+                        if _e789 {
+                            let _e790 = (_e782 > 0u);
+                            if _e790 {
+                                if _e784 {
+                                    phi_1413_ = _e780;
+                                    phi_1414_ = _e784;
+                                    phi_1415_ = _e786;
                                 } else {
-                                    let _e569 = (_e564 - 1u);
-                                    let _e570 = (_e569 % 128u);
-                                    let _e571 = (_e570 < 128u);
-                                    if _e571 {
+                                    let _e791 = (_e786 - 1u);
+                                    let _e792 = (_e791 % 128u);
+                                    let _e793 = (_e792 < 128u);
+                                    if _e793 {
                                     } else {
-                                        phi_3650_ = true;
+                                        phi_4216_ = true;
                                         break;
                                     }
-                                    let _e573 = local_6[_e570];
-                                    if _e571 {
+                                    let _e795 = local_6[_e792];
+                                    if _e793 {
                                     } else {
-                                        phi_3650_ = true;
+                                        phi_4216_ = true;
                                         break;
                                     }
-                                    let _e575 = local_5[_e570];
-                                    if _e571 {
+                                    let _e797 = local_5[_e792];
+                                    if _e793 {
                                     } else {
-                                        phi_3650_ = true;
+                                        phi_4216_ = true;
                                         break;
                                     }
-                                    let _e577 = local_4[_e570];
-                                    if _e571 {
+                                    let _e799 = local_4[_e792];
+                                    if _e793 {
                                     } else {
-                                        phi_3650_ = true;
+                                        phi_4216_ = true;
                                         break;
                                     }
-                                    let _e579 = local_3[_e570];
-                                    if _e571 {
+                                    let _e801 = local_3[_e792];
+                                    if _e793 {
                                     } else {
-                                        phi_3650_ = true;
+                                        phi_4216_ = true;
                                         break;
                                     }
-                                    let _e582 = local_2[_e570];
-                                    if _e571 {
+                                    let _e804 = local_2[_e792];
+                                    if _e793 {
                                     } else {
-                                        phi_3650_ = true;
+                                        phi_4216_ = true;
                                         break;
                                     }
-                                    let _e584 = local_1[_e570];
-                                    if _e571 {
+                                    let _e806 = local_1[_e792];
+                                    if _e793 {
                                     } else {
-                                        phi_3650_ = true;
+                                        phi_4216_ = true;
                                         break;
                                     }
-                                    let _e586 = local[_e570];
-                                    if _e571 {
+                                    let _e808 = local[_e792];
+                                    if _e793 {
                                     } else {
-                                        phi_3650_ = true;
+                                        phi_4216_ = true;
                                         break;
                                     }
-                                    let _e591 = local_7[_e570];
-                                    phi_995_ = type_61(type_59(array<f32, 3>(_e575, _e577, _e579), array<f32, 3>(_e582, _e584, _e586)), _e573);
-                                    phi_996_ = (_e591 <= _e556.member_1);
-                                    phi_997_ = _e569;
+                                    let _e813 = local_7[_e792];
+                                    phi_1413_ = type_61(type_59(array<f32, 3>(_e797, _e799, _e801), array<f32, 3>(_e804, _e806, _e808)), _e795);
+                                    phi_1414_ = (_e813 <= _e778.member_1);
+                                    phi_1415_ = _e791;
                                 }
-                                let _e595 = phi_995_;
-                                let _e597 = phi_996_;
-                                let _e599 = phi_997_;
-                                if _e597 {
-                                    if ((_e595.member_1 & 2147483648u) != 0u) {
-                                        phi_1015_ = _e556;
-                                        phi_1018_ = type_8(0u, ((_e595.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e817 = phi_1413_;
+                                let _e819 = phi_1414_;
+                                let _e821 = phi_1415_;
+                                if _e819 {
+                                    if ((_e817.member_1 & 2147483648u) != 0u) {
+                                        phi_1433_ = _e778;
+                                        phi_1436_ = type_8(0u, ((_e817.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e951 = phi_1015_;
-                                            let _e953 = phi_1018_;
-                                            local_11 = _e951;
-                                            if (_e953.member < _e953.member_1) {
-                                                phi_1019_ = type_8((_e953.member + 1u), _e953.member_1);
-                                                phi_1041_ = type_8(1u, _e953.member);
+                                            let _e1197 = phi_1433_;
+                                            let _e1199 = phi_1436_;
+                                            local_11 = _e1197;
+                                            if (_e1199.member < _e1199.member_1) {
+                                                phi_1437_ = type_8((_e1199.member + 1u), _e1199.member_1);
+                                                phi_1459_ = type_8(1u, _e1199.member);
                                             } else {
-                                                phi_1019_ = _e953;
-                                                phi_1041_ = type_8(0u, type_8().member_1);
+                                                phi_1437_ = _e1199;
+                                                phi_1459_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e966 = phi_1019_;
-                                            let _e968 = phi_1041_;
-                                            let _e972 = (bitcast<i32>(_e968.member) != 0i);
-                                            if _e972 {
-                                                let _e973 = ((_e595.member_1 & 268435455u) + _e968.member_1);
-                                                let _e974 = (_e973 < _e93);
-                                                if _e974 {
-                                                    if _e974 {
+                                            let _e1212 = phi_1437_;
+                                            let _e1214 = phi_1459_;
+                                            let _e1218 = (bitcast<i32>(_e1214.member) != 0i);
+                                            if _e1218 {
+                                                let _e1219 = ((_e817.member_1 & 268435455u) + _e1214.member_1);
+                                                let _e1220 = (_e1219 < _e100);
+                                                if _e1220 {
+                                                    if _e1220 {
                                                     } else {
-                                                        phi_3484_ = true;
+                                                        phi_4024_ = true;
                                                         break;
                                                     }
-                                                    let _e978 = global_4.member[_e973].member_1;
-                                                    phi_1062_ = _e978;
+                                                    let _e1224 = global_4.member[_e1219].member_1;
+                                                    phi_1480_ = _e1224;
                                                 } else {
-                                                    phi_1062_ = 4294967295u;
+                                                    phi_1480_ = 4294967295u;
                                                 }
-                                                let _e980 = phi_1062_;
-                                                if (_e973 >= _e93) {
-                                                    phi_1151_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1226 = phi_1480_;
+                                                if (_e1219 >= _e100) {
+                                                    phi_1569_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e974 {
+                                                    if _e1220 {
                                                     } else {
-                                                        phi_3484_ = true;
+                                                        phi_4024_ = true;
                                                         break;
                                                     }
-                                                    if (_e527 < 9u) {
+                                                    if (_e749 < 9u) {
                                                     } else {
-                                                        phi_3484_ = true;
+                                                        phi_4024_ = true;
                                                         break;
                                                     }
-                                                    let _e987 = global_4.member[_e973].member[_e527];
-                                                    if (_e531 < 9u) {
+                                                    let _e1233 = global_4.member[_e1219].member[_e749];
+                                                    if (_e753 < 9u) {
                                                     } else {
-                                                        phi_3484_ = true;
+                                                        phi_4024_ = true;
                                                         break;
                                                     }
-                                                    let _e993 = global_4.member[_e973].member[_e531];
-                                                    if (_e535 < 9u) {
+                                                    let _e1239 = global_4.member[_e1219].member[_e753];
+                                                    if (_e757 < 9u) {
                                                     } else {
-                                                        phi_3484_ = true;
+                                                        phi_4024_ = true;
                                                         break;
                                                     }
-                                                    let _e999 = global_4.member[_e973].member[_e535];
-                                                    let _e1001 = (3u + _e527);
-                                                    if (_e1001 < 9u) {
+                                                    let _e1245 = global_4.member[_e1219].member[_e757];
+                                                    let _e1247 = (3u + _e749);
+                                                    if (_e1247 < 9u) {
                                                     } else {
-                                                        phi_3484_ = true;
+                                                        phi_4024_ = true;
                                                         break;
                                                     }
-                                                    let _e1007 = global_4.member[_e973].member[_e1001];
-                                                    let _e1008 = (3u + _e531);
-                                                    if (_e1008 < 9u) {
+                                                    let _e1253 = global_4.member[_e1219].member[_e1247];
+                                                    let _e1254 = (3u + _e753);
+                                                    if (_e1254 < 9u) {
                                                     } else {
-                                                        phi_3484_ = true;
+                                                        phi_4024_ = true;
                                                         break;
                                                     }
-                                                    let _e1014 = global_4.member[_e973].member[_e1008];
-                                                    let _e1015 = (3u + _e535);
-                                                    if (_e1015 < 9u) {
+                                                    let _e1260 = global_4.member[_e1219].member[_e1254];
+                                                    let _e1261 = (3u + _e757);
+                                                    if (_e1261 < 9u) {
                                                     } else {
-                                                        phi_3484_ = true;
+                                                        phi_4024_ = true;
                                                         break;
                                                     }
-                                                    let _e1021 = global_4.member[_e973].member[_e1015];
-                                                    let _e1023 = (6u + _e527);
-                                                    if (_e1023 < 9u) {
+                                                    let _e1267 = global_4.member[_e1219].member[_e1261];
+                                                    let _e1269 = (6u + _e749);
+                                                    if (_e1269 < 9u) {
                                                     } else {
-                                                        phi_3484_ = true;
+                                                        phi_4024_ = true;
                                                         break;
                                                     }
-                                                    let _e1029 = global_4.member[_e973].member[_e1023];
-                                                    let _e1030 = (6u + _e531);
-                                                    if (_e1030 < 9u) {
+                                                    let _e1275 = global_4.member[_e1219].member[_e1269];
+                                                    let _e1276 = (6u + _e753);
+                                                    if (_e1276 < 9u) {
                                                     } else {
-                                                        phi_3484_ = true;
+                                                        phi_4024_ = true;
                                                         break;
                                                     }
-                                                    let _e1036 = global_4.member[_e973].member[_e1030];
-                                                    let _e1037 = (6u + _e535);
-                                                    if (_e1037 < 9u) {
+                                                    let _e1282 = global_4.member[_e1219].member[_e1276];
+                                                    let _e1283 = (6u + _e757);
+                                                    if (_e1283 < 9u) {
                                                     } else {
-                                                        phi_3484_ = true;
+                                                        phi_4024_ = true;
                                                         break;
                                                     }
-                                                    let _e1043 = global_4.member[_e973].member[_e1037];
-                                                    phi_1151_ = array<array<f32, 3>, 3>(array<f32, 3>(_e987, _e993, _e999), array<f32, 3>(_e1007, _e1014, _e1021), array<f32, 3>(_e1029, _e1036, _e1043));
+                                                    let _e1289 = global_4.member[_e1219].member[_e1283];
+                                                    phi_1569_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1233, _e1239, _e1245), array<f32, 3>(_e1253, _e1260, _e1267), array<f32, 3>(_e1275, _e1282, _e1289));
                                                 }
-                                                let _e1047 = phi_1151_;
-                                                let _e1055 = (_e1047[0][2] - _e449);
-                                                let _e1058 = (((_e1047[0][0] - _e376) * _e473) - (_e1055 * _e401));
-                                                let _e1061 = (((_e1047[0][1] - _e413) * _e473) - (_e1055 * _e437));
-                                                let _e1068 = (_e1047[1][2] - _e449);
-                                                let _e1071 = (((_e1047[1][0] - _e376) * _e473) - (_e1068 * _e401));
-                                                let _e1074 = (((_e1047[1][1] - _e413) * _e473) - (_e1068 * _e437));
-                                                let _e1081 = (_e1047[2][2] - _e449);
-                                                let _e1084 = (((_e1047[2][0] - _e376) * _e473) - (_e1081 * _e401));
-                                                let _e1087 = (((_e1047[2][1] - _e413) * _e473) - (_e1081 * _e437));
-                                                let _e1088 = (_e1084 * _e1074);
-                                                let _e1089 = (_e1087 * _e1071);
-                                                let _e1090 = (_e1058 * _e1087);
-                                                let _e1091 = (_e1061 * _e1084);
-                                                let _e1092 = (_e1071 * _e1061);
-                                                let _e1093 = (_e1074 * _e1058);
-                                                let _e1098 = (((_e1088 >= _e1089) && (_e1090 >= _e1091)) && (_e1092 >= _e1093));
-                                                if (_e1098 || (((_e1088 <= _e1089) && (_e1090 <= _e1091)) && (_e1092 <= _e1093))) {
-                                                    let _e1105 = select(-1f, 1f, _e1098);
-                                                    let _e1107 = ((_e1088 - _e1089) * _e1105);
-                                                    let _e1109 = select(0f, _e1107, (_e1107 > 0f));
-                                                    let _e1111 = ((_e1090 - _e1091) * _e1105);
-                                                    let _e1113 = select(0f, _e1111, (_e1111 > 0f));
-                                                    let _e1115 = ((_e1092 - _e1093) * _e1105);
-                                                    let _e1117 = select(0f, _e1115, (_e1115 > 0f));
-                                                    let _e1119 = ((_e1109 + _e1113) + _e1117);
-                                                    if (_e1119 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1976_ = type_27();
-                                                        phi_1977_ = true;
-                                                        phi_1978_ = false;
+                                                let _e1293 = phi_1569_;
+                                                let _e1301 = (_e1293[0][2] - _e591);
+                                                let _e1304 = (((_e1293[0][0] - _e458) * _e630) - (_e1301 * _e498));
+                                                let _e1307 = (((_e1293[0][1] - _e525) * _e630) - (_e1301 * _e564));
+                                                let _e1314 = (_e1293[1][2] - _e591);
+                                                let _e1317 = (((_e1293[1][0] - _e458) * _e630) - (_e1314 * _e498));
+                                                let _e1320 = (((_e1293[1][1] - _e525) * _e630) - (_e1314 * _e564));
+                                                let _e1327 = (_e1293[2][2] - _e591);
+                                                let _e1330 = (((_e1293[2][0] - _e458) * _e630) - (_e1327 * _e498));
+                                                let _e1333 = (((_e1293[2][1] - _e525) * _e630) - (_e1327 * _e564));
+                                                let _e1334 = (_e1330 * _e1320);
+                                                let _e1335 = (_e1333 * _e1317);
+                                                let _e1336 = (_e1304 * _e1333);
+                                                let _e1337 = (_e1307 * _e1330);
+                                                let _e1338 = (_e1317 * _e1307);
+                                                let _e1339 = (_e1320 * _e1304);
+                                                let _e1344 = (((_e1334 >= _e1335) && (_e1336 >= _e1337)) && (_e1338 >= _e1339));
+                                                if (_e1344 || (((_e1334 <= _e1335) && (_e1336 <= _e1337)) && (_e1338 <= _e1339))) {
+                                                    let _e1351 = select(-1f, 1f, _e1344);
+                                                    let _e1353 = ((_e1334 - _e1335) * _e1351);
+                                                    let _e1355 = select(0f, _e1353, (_e1353 > 0f));
+                                                    let _e1357 = ((_e1336 - _e1337) * _e1351);
+                                                    let _e1359 = select(0f, _e1357, (_e1357 > 0f));
+                                                    let _e1361 = ((_e1338 - _e1339) * _e1351);
+                                                    let _e1363 = select(0f, _e1361, (_e1361 > 0f));
+                                                    let _e1365 = ((_e1355 + _e1359) + _e1363);
+                                                    if (_e1365 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2394_ = type_27();
+                                                        phi_2395_ = true;
+                                                        phi_2396_ = false;
                                                     } else {
-                                                        let _e1122 = select(_e1071, _e1058, (_e1058 < _e1071));
-                                                        if (select(_e1084, _e1122, (_e1122 < _e1084)) > 0f) {
-                                                            phi_1268_ = true;
+                                                        let _e1368 = select(_e1317, _e1304, (_e1304 < _e1317));
+                                                        if (select(_e1330, _e1368, (_e1368 < _e1330)) > 0f) {
+                                                            phi_1686_ = true;
                                                         } else {
-                                                            let _e1127 = select(_e1071, _e1058, (_e1058 > _e1071));
-                                                            phi_1268_ = (select(_e1084, _e1127, (_e1127 > _e1084)) < 0f);
+                                                            let _e1373 = select(_e1317, _e1304, (_e1304 > _e1317));
+                                                            phi_1686_ = (select(_e1330, _e1373, (_e1373 > _e1330)) < 0f);
                                                         }
-                                                        let _e1132 = phi_1268_;
-                                                        if _e1132 {
-                                                            phi_1973_ = type_27();
-                                                            phi_1974_ = true;
-                                                            phi_1975_ = false;
+                                                        let _e1378 = phi_1686_;
+                                                        if _e1378 {
+                                                            phi_2391_ = type_27();
+                                                            phi_2392_ = true;
+                                                            phi_2393_ = false;
                                                         } else {
-                                                            let _e1134 = select(_e1074, _e1061, (_e1061 < _e1074));
-                                                            if (select(_e1087, _e1134, (_e1134 < _e1087)) > 0f) {
-                                                                phi_1297_ = true;
+                                                            let _e1380 = select(_e1320, _e1307, (_e1307 < _e1320));
+                                                            if (select(_e1333, _e1380, (_e1380 < _e1333)) > 0f) {
+                                                                phi_1715_ = true;
                                                             } else {
-                                                                let _e1139 = select(_e1074, _e1061, (_e1061 > _e1074));
-                                                                phi_1297_ = (select(_e1087, _e1139, (_e1139 > _e1087)) < 0f);
+                                                                let _e1385 = select(_e1320, _e1307, (_e1307 > _e1320));
+                                                                phi_1715_ = (select(_e1333, _e1385, (_e1385 > _e1333)) < 0f);
                                                             }
-                                                            let _e1144 = phi_1297_;
-                                                            if _e1144 {
-                                                                phi_1971_ = type_27();
-                                                                phi_1972_ = false;
+                                                            let _e1390 = phi_1715_;
+                                                            if _e1390 {
+                                                                phi_2389_ = type_27();
+                                                                phi_2390_ = false;
                                                             } else {
-                                                                let _e1146 = select(_e1047[1][0], _e1047[0][0], (_e1047[0][0] < _e1047[1][0]));
-                                                                let _e1150 = select(_e1047[1][0], _e1047[0][0], (_e1047[0][0] > _e1047[1][0]));
-                                                                let _e1154 = select(_e1047[1][1], _e1047[0][1], (_e1047[0][1] < _e1047[1][1]));
-                                                                let _e1158 = select(_e1047[1][1], _e1047[0][1], (_e1047[0][1] > _e1047[1][1]));
-                                                                let _e1162 = select(_e1047[1][2], _e1047[0][2], (_e1047[0][2] < _e1047[1][2]));
-                                                                let _e1166 = select(_e1047[1][2], _e1047[0][2], (_e1047[0][2] > _e1047[1][2]));
-                                                                let _e1171 = ((select(_e1047[2][0], _e1146, (_e1146 < _e1047[2][0])) - _e399) * _e404);
-                                                                let _e1172 = ((select(_e1047[2][0], _e1150, (_e1150 > _e1047[2][0])) - _e400) * _e404);
-                                                                let _e1175 = ((select(_e1047[2][1], _e1154, (_e1154 < _e1047[2][1])) - _e435) * _e440);
-                                                                let _e1176 = ((select(_e1047[2][1], _e1158, (_e1158 > _e1047[2][1])) - _e436) * _e440);
-                                                                let _e1179 = ((select(_e1047[2][2], _e1162, (_e1162 < _e1047[2][2])) - _e471) * _e476);
-                                                                let _e1180 = ((select(_e1047[2][2], _e1166, (_e1166 > _e1047[2][2])) - _e472) * _e476);
-                                                                let _e1182 = select(_e1180, _e1179, (_e1179 < _e1180));
-                                                                let _e1184 = select(_e1180, _e1179, (_e1179 > _e1180));
-                                                                let _e1186 = select(_e1172, _e1171, (_e1171 < _e1172));
-                                                                let _e1188 = select(_e1176, _e1175, (_e1175 < _e1176));
-                                                                let _e1190 = select(_e1188, _e1186, (_e1186 > _e1188));
-                                                                let _e1192 = select(_e1182, _e1190, (_e1190 > _e1182));
-                                                                let _e1194 = select(_e1172, _e1171, (_e1171 > _e1172));
-                                                                let _e1196 = select(_e1176, _e1175, (_e1175 > _e1176));
-                                                                let _e1198 = select(_e1196, _e1194, (_e1194 < _e1196));
-                                                                let _e1200 = select(_e1184, _e1198, (_e1198 < _e1184));
-                                                                let _e1201 = -(_e1182);
-                                                                let _e1207 = select(_e522, _e1192, (_e1192 > _e522));
-                                                                if (_e1207 > (_e1200 + (select(_e1201, _e1184, (_e1184 > _e1201)) * 0.0000019073523f))) {
-                                                                    phi_1966_ = type_27();
-                                                                    phi_1967_ = true;
+                                                                let _e1392 = select(_e1293[1][0], _e1293[0][0], (_e1293[0][0] < _e1293[1][0]));
+                                                                let _e1396 = select(_e1293[1][0], _e1293[0][0], (_e1293[0][0] > _e1293[1][0]));
+                                                                let _e1400 = select(_e1293[1][1], _e1293[0][1], (_e1293[0][1] < _e1293[1][1]));
+                                                                let _e1404 = select(_e1293[1][1], _e1293[0][1], (_e1293[0][1] > _e1293[1][1]));
+                                                                let _e1408 = select(_e1293[1][2], _e1293[0][2], (_e1293[0][2] < _e1293[1][2]));
+                                                                let _e1412 = select(_e1293[1][2], _e1293[0][2], (_e1293[0][2] > _e1293[1][2]));
+                                                                let _e1417 = ((select(_e1293[2][0], _e1392, (_e1392 < _e1293[2][0])) - _e496) * _e501);
+                                                                let _e1418 = ((select(_e1293[2][0], _e1396, (_e1396 > _e1293[2][0])) - _e497) * _e501);
+                                                                let _e1421 = ((select(_e1293[2][1], _e1400, (_e1400 < _e1293[2][1])) - _e562) * _e567);
+                                                                let _e1422 = ((select(_e1293[2][1], _e1404, (_e1404 > _e1293[2][1])) - _e563) * _e567);
+                                                                let _e1425 = ((select(_e1293[2][2], _e1408, (_e1408 < _e1293[2][2])) - _e628) * _e633);
+                                                                let _e1426 = ((select(_e1293[2][2], _e1412, (_e1412 > _e1293[2][2])) - _e629) * _e633);
+                                                                let _e1428 = select(_e1426, _e1425, (_e1425 < _e1426));
+                                                                let _e1430 = select(_e1426, _e1425, (_e1425 > _e1426));
+                                                                let _e1432 = select(_e1418, _e1417, (_e1417 < _e1418));
+                                                                let _e1434 = select(_e1422, _e1421, (_e1421 < _e1422));
+                                                                let _e1436 = select(_e1434, _e1432, (_e1432 > _e1434));
+                                                                let _e1438 = select(_e1428, _e1436, (_e1436 > _e1428));
+                                                                let _e1440 = select(_e1418, _e1417, (_e1417 > _e1418));
+                                                                let _e1442 = select(_e1422, _e1421, (_e1421 > _e1422));
+                                                                let _e1444 = select(_e1442, _e1440, (_e1440 < _e1442));
+                                                                let _e1446 = select(_e1430, _e1444, (_e1444 < _e1430));
+                                                                let _e1447 = -(_e1428);
+                                                                let _e1453 = select(_e744, _e1438, (_e1438 > _e744));
+                                                                if (_e1453 > (_e1446 + (select(_e1447, _e1430, (_e1430 > _e1447)) * 0.0000019073523f))) {
+                                                                    phi_2384_ = type_27();
+                                                                    phi_2385_ = true;
                                                                 } else {
-                                                                    let _e1209 = (_e1207 > _e951.member_1);
-                                                                    if _e1209 {
-                                                                        phi_1965_ = type_27();
+                                                                    let _e1455 = (_e1453 > _e1197.member_1);
+                                                                    if _e1455 {
+                                                                        phi_2383_ = type_27();
                                                                     } else {
-                                                                        let _e1210 = vec3<f32>(_e1047[0][0], _e1047[0][1], _e1047[0][2]);
-                                                                        let _e1211 = vec3<f32>(_e1047[1][0], _e1047[1][1], _e1047[1][2]);
-                                                                        let _e1212 = vec3<f32>(_e1047[2][0], _e1047[2][1], _e1047[2][2]);
-                                                                        let _e1213 = (_e1047[1][0] - _e1047[0][0]);
-                                                                        let _e1214 = (_e1047[1][1] - _e1047[0][1]);
-                                                                        let _e1215 = (_e1047[1][2] - _e1047[0][2]);
-                                                                        let _e1216 = vec3<f32>(_e1213, _e1214, _e1215);
-                                                                        let _e1217 = (_e1047[2][0] - _e1047[1][0]);
-                                                                        let _e1218 = (_e1047[2][1] - _e1047[1][1]);
-                                                                        let _e1219 = (_e1047[2][2] - _e1047[1][2]);
-                                                                        let _e1220 = vec3<f32>(_e1217, _e1218, _e1219);
-                                                                        let _e1221 = (_e1047[0][0] - _e1047[2][0]);
-                                                                        let _e1222 = (_e1047[0][1] - _e1047[2][1]);
-                                                                        let _e1223 = (_e1047[0][2] - _e1047[2][2]);
-                                                                        let _e1224 = vec3<f32>(_e1221, _e1222, _e1223);
-                                                                        let _e1227 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
-                                                                        let _e1230 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
-                                                                        let _e1232 = select(_e1230, _e1227, (_e1227 > _e1230));
-                                                                        let _e1235 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
-                                                                        let _e1237 = select(_e1235, _e1232, (_e1232 > _e1235));
-                                                                        let _e1240 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
-                                                                        let _e1243 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
-                                                                        let _e1245 = select(_e1243, _e1240, (_e1240 > _e1243));
-                                                                        let _e1248 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
-                                                                        let _e1250 = select(_e1248, _e1245, (_e1245 > _e1248));
-                                                                        let _e1253 = bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u));
-                                                                        let _e1256 = bitcast<f32>((bitcast<u32>(_e1222) & 2147483647u));
-                                                                        let _e1258 = select(_e1256, _e1253, (_e1253 > _e1256));
-                                                                        let _e1261 = bitcast<f32>((bitcast<u32>(_e1223) & 2147483647u));
-                                                                        let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
-                                                                        let _e1265 = select(_e1250, _e1237, (_e1237 > _e1250));
-                                                                        let _e1267 = select(_e1263, _e1265, (_e1265 > _e1263));
-                                                                        if (_e1237 == _e1267) {
-                                                                            phi_1698_ = _e1074;
-                                                                            phi_1699_ = _e1071;
-                                                                            phi_1700_ = _e1061;
-                                                                            phi_1701_ = _e1058;
-                                                                            phi_1702_ = _e1210;
-                                                                            phi_1703_ = _e1224;
-                                                                            phi_1704_ = _e1220;
-                                                                            phi_1705_ = _e1216;
+                                                                        let _e1456 = vec3<f32>(_e1293[0][0], _e1293[0][1], _e1293[0][2]);
+                                                                        let _e1457 = vec3<f32>(_e1293[1][0], _e1293[1][1], _e1293[1][2]);
+                                                                        let _e1458 = vec3<f32>(_e1293[2][0], _e1293[2][1], _e1293[2][2]);
+                                                                        let _e1459 = (_e1293[1][0] - _e1293[0][0]);
+                                                                        let _e1460 = (_e1293[1][1] - _e1293[0][1]);
+                                                                        let _e1461 = (_e1293[1][2] - _e1293[0][2]);
+                                                                        let _e1462 = vec3<f32>(_e1459, _e1460, _e1461);
+                                                                        let _e1463 = (_e1293[2][0] - _e1293[1][0]);
+                                                                        let _e1464 = (_e1293[2][1] - _e1293[1][1]);
+                                                                        let _e1465 = (_e1293[2][2] - _e1293[1][2]);
+                                                                        let _e1466 = vec3<f32>(_e1463, _e1464, _e1465);
+                                                                        let _e1467 = (_e1293[0][0] - _e1293[2][0]);
+                                                                        let _e1468 = (_e1293[0][1] - _e1293[2][1]);
+                                                                        let _e1469 = (_e1293[0][2] - _e1293[2][2]);
+                                                                        let _e1470 = vec3<f32>(_e1467, _e1468, _e1469);
+                                                                        let _e1473 = bitcast<f32>((bitcast<u32>(_e1459) & 2147483647u));
+                                                                        let _e1476 = bitcast<f32>((bitcast<u32>(_e1460) & 2147483647u));
+                                                                        let _e1478 = select(_e1476, _e1473, (_e1473 > _e1476));
+                                                                        let _e1481 = bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u));
+                                                                        let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
+                                                                        let _e1486 = bitcast<f32>((bitcast<u32>(_e1463) & 2147483647u));
+                                                                        let _e1489 = bitcast<f32>((bitcast<u32>(_e1464) & 2147483647u));
+                                                                        let _e1491 = select(_e1489, _e1486, (_e1486 > _e1489));
+                                                                        let _e1494 = bitcast<f32>((bitcast<u32>(_e1465) & 2147483647u));
+                                                                        let _e1496 = select(_e1494, _e1491, (_e1491 > _e1494));
+                                                                        let _e1499 = bitcast<f32>((bitcast<u32>(_e1467) & 2147483647u));
+                                                                        let _e1502 = bitcast<f32>((bitcast<u32>(_e1468) & 2147483647u));
+                                                                        let _e1504 = select(_e1502, _e1499, (_e1499 > _e1502));
+                                                                        let _e1507 = bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u));
+                                                                        let _e1509 = select(_e1507, _e1504, (_e1504 > _e1507));
+                                                                        let _e1511 = select(_e1496, _e1483, (_e1483 > _e1496));
+                                                                        let _e1513 = select(_e1509, _e1511, (_e1511 > _e1509));
+                                                                        if (_e1483 == _e1513) {
+                                                                            phi_2116_ = _e1320;
+                                                                            phi_2117_ = _e1317;
+                                                                            phi_2118_ = _e1307;
+                                                                            phi_2119_ = _e1304;
+                                                                            phi_2120_ = _e1456;
+                                                                            phi_2121_ = _e1470;
+                                                                            phi_2122_ = _e1466;
+                                                                            phi_2123_ = _e1462;
                                                                         } else {
-                                                                            let _e1269 = (_e1250 == _e1267);
-                                                                            let _e1274 = vec3(_e1269);
-                                                                            phi_1698_ = select(_e1061, _e1087, _e1269);
-                                                                            phi_1699_ = select(_e1058, _e1084, _e1269);
-                                                                            phi_1700_ = select(_e1087, _e1074, _e1269);
-                                                                            phi_1701_ = select(_e1084, _e1071, _e1269);
-                                                                            phi_1702_ = select(_e1212, _e1211, _e1274);
-                                                                            phi_1703_ = select(_e1220, _e1216, _e1274);
-                                                                            phi_1704_ = select(_e1216, _e1224, _e1274);
-                                                                            phi_1705_ = select(_e1224, _e1220, _e1274);
+                                                                            let _e1515 = (_e1496 == _e1513);
+                                                                            let _e1520 = vec3(_e1515);
+                                                                            phi_2116_ = select(_e1307, _e1333, _e1515);
+                                                                            phi_2117_ = select(_e1304, _e1330, _e1515);
+                                                                            phi_2118_ = select(_e1333, _e1320, _e1515);
+                                                                            phi_2119_ = select(_e1330, _e1317, _e1515);
+                                                                            phi_2120_ = select(_e1458, _e1457, _e1520);
+                                                                            phi_2121_ = select(_e1466, _e1462, _e1520);
+                                                                            phi_2122_ = select(_e1462, _e1470, _e1520);
+                                                                            phi_2123_ = select(_e1470, _e1466, _e1520);
                                                                         }
-                                                                        let _e1280 = phi_1698_;
-                                                                        let _e1282 = phi_1699_;
-                                                                        let _e1284 = phi_1700_;
-                                                                        let _e1286 = phi_1701_;
-                                                                        let _e1288 = phi_1702_;
-                                                                        let _e1290 = phi_1703_;
-                                                                        let _e1292 = phi_1704_;
-                                                                        let _e1294 = phi_1705_;
-                                                                        let _e1301 = ((_e1292.y * _e1290.z) - (_e1290.y * _e1292.z));
-                                                                        let _e1306 = ((_e1292.z * _e1290.x) - (_e1290.z * _e1292.x));
-                                                                        let _e1309 = ((_e1292.x * _e1290.y) - (_e1290.x * _e1292.y));
-                                                                        if (_e1109 >= _e1113) {
-                                                                            phi_1736_ = select(true, false, (_e1109 >= _e1117));
+                                                                        let _e1526 = phi_2116_;
+                                                                        let _e1528 = phi_2117_;
+                                                                        let _e1530 = phi_2118_;
+                                                                        let _e1532 = phi_2119_;
+                                                                        let _e1534 = phi_2120_;
+                                                                        let _e1536 = phi_2121_;
+                                                                        let _e1538 = phi_2122_;
+                                                                        let _e1540 = phi_2123_;
+                                                                        let _e1547 = ((_e1538.y * _e1536.z) - (_e1536.y * _e1538.z));
+                                                                        let _e1552 = ((_e1538.z * _e1536.x) - (_e1536.z * _e1538.x));
+                                                                        let _e1555 = ((_e1538.x * _e1536.y) - (_e1536.x * _e1538.y));
+                                                                        if (_e1355 >= _e1359) {
+                                                                            phi_2154_ = select(true, false, (_e1355 >= _e1363));
                                                                         } else {
-                                                                            phi_1736_ = true;
+                                                                            phi_2154_ = true;
                                                                         }
-                                                                        let _e1314 = phi_1736_;
-                                                                        if _e1314 {
-                                                                            phi_1745_ = select(_e1212, _e1211, vec3((_e1113 >= _e1117)));
+                                                                        let _e1560 = phi_2154_;
+                                                                        if _e1560 {
+                                                                            phi_2163_ = select(_e1458, _e1457, vec3((_e1359 >= _e1363)));
                                                                         } else {
-                                                                            phi_1745_ = _e1210;
+                                                                            phi_2163_ = _e1456;
                                                                         }
-                                                                        let _e1319 = phi_1745_;
-                                                                        let _e1330 = (((_e1301 * (_e1319.x - _e376)) + (_e1306 * (_e1319.y - _e413))) + (_e1309 * (_e1319.z - _e449)));
-                                                                        let _e1335 = (((_e1301 * _e401) + (_e1306 * _e437)) + (_e1309 * _e473));
-                                                                        let _e1336 = (_e1282 - _e1286);
-                                                                        let _e1337 = (_e1280 - _e1284);
-                                                                        let _e1345 = (-(((_e1286 * _e1336) + (_e1284 * _e1337))) / ((_e1336 * _e1336) + (_e1337 * _e1337)));
-                                                                        let _e1347 = select(1f, _e1345, (_e1345 < 1f));
-                                                                        let _e1349 = select(0f, _e1347, (_e1347 > 0f));
-                                                                        let _e1362 = ((_e1288.x + (_e1294.x * _e1349)) - _e376);
-                                                                        let _e1363 = ((_e1288.y + (_e1294.y * _e1349)) - _e413);
-                                                                        let _e1364 = ((_e1288.z + (_e1294.z * _e1349)) - _e449);
-                                                                        let _e1365 = (_e1364 / _e473);
-                                                                        let _e1377 = bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u));
-                                                                        let _e1380 = bitcast<f32>((bitcast<u32>(_e1363) & 2147483647u));
-                                                                        let _e1382 = select(_e1380, _e1377, (_e1377 > _e1380));
-                                                                        let _e1385 = bitcast<f32>((bitcast<u32>(_e1364) & 2147483647u));
-                                                                        let _e1387 = select(_e1385, _e1382, (_e1382 > _e1385));
-                                                                        let _e1393 = bitcast<f32>((bitcast<u32>(_e1301) & 2147483647u));
-                                                                        let _e1396 = bitcast<f32>((bitcast<u32>(_e1306) & 2147483647u));
-                                                                        let _e1398 = select(_e1396, _e1393, (_e1393 > _e1396));
-                                                                        let _e1401 = bitcast<f32>((bitcast<u32>(_e1309) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1301 * _e1362) + (_e1306 * _e1363)) + (_e1309 * _e1364)) - _e1330)) & 2147483647u)) <= ((0.0000009536743f * select(_e1267, _e1387, (_e1387 > _e1267))) * select(_e1401, _e1398, (_e1398 > _e1401)))) {
-                                                                            let _e1411 = bitcast<f32>((bitcast<u32>(_e1292.x) & 2147483647u));
-                                                                            let _e1414 = bitcast<f32>((bitcast<u32>(_e1292.y) & 2147483647u));
-                                                                            let _e1416 = select(_e1414, _e1411, (_e1411 > _e1414));
-                                                                            let _e1419 = bitcast<f32>((bitcast<u32>(_e1292.z) & 2147483647u));
-                                                                            let _e1425 = bitcast<f32>((bitcast<u32>(_e1290.x) & 2147483647u));
-                                                                            let _e1428 = bitcast<f32>((bitcast<u32>(_e1290.y) & 2147483647u));
-                                                                            let _e1430 = select(_e1428, _e1425, (_e1425 > _e1428));
-                                                                            let _e1433 = bitcast<f32>((bitcast<u32>(_e1290.z) & 2147483647u));
-                                                                            let _e1437 = (bitcast<f32>((bitcast<u32>(_e1335) & 2147483647u)) > ((0.0000038146973f * select(_e1419, _e1416, (_e1416 > _e1419))) * select(_e1433, _e1430, (_e1430 > _e1433))));
-                                                                            if _e1437 {
-                                                                                phi_1910_ = (_e1330 / _e1335);
+                                                                        let _e1565 = phi_2163_;
+                                                                        let _e1576 = (((_e1547 * (_e1565.x - _e458)) + (_e1552 * (_e1565.y - _e525))) + (_e1555 * (_e1565.z - _e591)));
+                                                                        let _e1581 = (((_e1547 * _e498) + (_e1552 * _e564)) + (_e1555 * _e630));
+                                                                        let _e1582 = (_e1528 - _e1532);
+                                                                        let _e1583 = (_e1526 - _e1530);
+                                                                        let _e1591 = (-(((_e1532 * _e1582) + (_e1530 * _e1583))) / ((_e1582 * _e1582) + (_e1583 * _e1583)));
+                                                                        let _e1593 = select(1f, _e1591, (_e1591 < 1f));
+                                                                        let _e1595 = select(0f, _e1593, (_e1593 > 0f));
+                                                                        let _e1608 = ((_e1534.x + (_e1540.x * _e1595)) - _e458);
+                                                                        let _e1609 = ((_e1534.y + (_e1540.y * _e1595)) - _e525);
+                                                                        let _e1610 = ((_e1534.z + (_e1540.z * _e1595)) - _e591);
+                                                                        let _e1611 = (_e1610 / _e630);
+                                                                        let _e1623 = bitcast<f32>((bitcast<u32>(_e1608) & 2147483647u));
+                                                                        let _e1626 = bitcast<f32>((bitcast<u32>(_e1609) & 2147483647u));
+                                                                        let _e1628 = select(_e1626, _e1623, (_e1623 > _e1626));
+                                                                        let _e1631 = bitcast<f32>((bitcast<u32>(_e1610) & 2147483647u));
+                                                                        let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
+                                                                        let _e1639 = bitcast<f32>((bitcast<u32>(_e1547) & 2147483647u));
+                                                                        let _e1642 = bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u));
+                                                                        let _e1644 = select(_e1642, _e1639, (_e1639 > _e1642));
+                                                                        let _e1647 = bitcast<f32>((bitcast<u32>(_e1555) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1547 * _e1608) + (_e1552 * _e1609)) + (_e1555 * _e1610)) - _e1576)) & 2147483647u)) <= ((0.0000009536743f * select(_e1513, _e1633, (_e1633 > _e1513))) * select(_e1647, _e1644, (_e1644 > _e1647)))) {
+                                                                            let _e1657 = bitcast<f32>((bitcast<u32>(_e1538.x) & 2147483647u));
+                                                                            let _e1660 = bitcast<f32>((bitcast<u32>(_e1538.y) & 2147483647u));
+                                                                            let _e1662 = select(_e1660, _e1657, (_e1657 > _e1660));
+                                                                            let _e1665 = bitcast<f32>((bitcast<u32>(_e1538.z) & 2147483647u));
+                                                                            let _e1671 = bitcast<f32>((bitcast<u32>(_e1536.x) & 2147483647u));
+                                                                            let _e1674 = bitcast<f32>((bitcast<u32>(_e1536.y) & 2147483647u));
+                                                                            let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
+                                                                            let _e1679 = bitcast<f32>((bitcast<u32>(_e1536.z) & 2147483647u));
+                                                                            let _e1683 = (bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u)) > ((0.0000038146973f * select(_e1665, _e1662, (_e1662 > _e1665))) * select(_e1679, _e1676, (_e1676 > _e1679))));
+                                                                            if _e1683 {
+                                                                                phi_2328_ = (_e1576 / _e1581);
                                                                             } else {
-                                                                                phi_1910_ = f32();
+                                                                                phi_2328_ = f32();
                                                                             }
-                                                                            let _e1440 = phi_1910_;
-                                                                            phi_1912_ = _e1440;
-                                                                            phi_1913_ = select(true, false, _e1437);
+                                                                            let _e1686 = phi_2328_;
+                                                                            phi_2330_ = _e1686;
+                                                                            phi_2331_ = select(true, false, _e1683);
                                                                         } else {
-                                                                            phi_1912_ = f32();
-                                                                            phi_1913_ = true;
+                                                                            phi_2330_ = f32();
+                                                                            phi_2331_ = true;
                                                                         }
-                                                                        let _e1443 = phi_1912_;
-                                                                        let _e1445 = phi_1913_;
-                                                                        if _e1445 {
-                                                                            let _e1453 = (((_e1301 * (_e1362 - (_e401 * _e1365))) + (_e1306 * (_e1363 - (_e437 * _e1365)))) / _e1335);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1453) & 2147483647u)) <= _e1267) {
-                                                                                phi_1933_ = (_e1365 + _e1453);
+                                                                        let _e1689 = phi_2330_;
+                                                                        let _e1691 = phi_2331_;
+                                                                        if _e1691 {
+                                                                            let _e1699 = (((_e1547 * (_e1608 - (_e498 * _e1611))) + (_e1552 * (_e1609 - (_e564 * _e1611)))) / _e1581);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1699) & 2147483647u)) <= _e1513) {
+                                                                                phi_2351_ = (_e1611 + _e1699);
                                                                             } else {
-                                                                                phi_1933_ = _e1365;
+                                                                                phi_2351_ = _e1611;
                                                                             }
-                                                                            let _e1460 = phi_1933_;
-                                                                            phi_1934_ = _e1460;
+                                                                            let _e1706 = phi_2351_;
+                                                                            phi_2352_ = _e1706;
                                                                         } else {
-                                                                            phi_1934_ = _e1443;
+                                                                            phi_2352_ = _e1689;
                                                                         }
-                                                                        let _e1462 = phi_1934_;
-                                                                        let _e1464 = select(_e1200, _e1462, (_e1462 < _e1200));
-                                                                        let _e1466 = select(_e1192, _e1464, (_e1464 > _e1192));
-                                                                        if (_e1466 >= _e522) {
-                                                                            let _e1468 = (_e1466 <= _e951.member_1);
-                                                                            if _e1468 {
-                                                                                let _e1469 = (1f / _e1119);
-                                                                                phi_1957_ = type_27(_e1466, (_e1113 * _e1469), (_e1117 * _e1469), _e980);
+                                                                        let _e1708 = phi_2352_;
+                                                                        let _e1710 = select(_e1446, _e1708, (_e1708 < _e1446));
+                                                                        let _e1712 = select(_e1438, _e1710, (_e1710 > _e1438));
+                                                                        if (_e1712 >= _e744) {
+                                                                            let _e1714 = (_e1712 <= _e1197.member_1);
+                                                                            if _e1714 {
+                                                                                let _e1715 = (1f / _e1365);
+                                                                                phi_2375_ = type_27(_e1712, (_e1359 * _e1715), (_e1363 * _e1715), _e1226);
                                                                             } else {
-                                                                                phi_1957_ = type_27();
+                                                                                phi_2375_ = type_27();
                                                                             }
-                                                                            let _e1474 = phi_1957_;
-                                                                            phi_1959_ = _e1474;
-                                                                            phi_1960_ = select(true, false, _e1468);
+                                                                            let _e1720 = phi_2375_;
+                                                                            phi_2377_ = _e1720;
+                                                                            phi_2378_ = select(true, false, _e1714);
                                                                         } else {
-                                                                            phi_1959_ = type_27();
-                                                                            phi_1960_ = true;
+                                                                            phi_2377_ = type_27();
+                                                                            phi_2378_ = true;
                                                                         }
-                                                                        let _e1477 = phi_1959_;
-                                                                        let _e1479 = phi_1960_;
-                                                                        if _e1479 {
-                                                                            phi_1964_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1723 = phi_2377_;
+                                                                        let _e1725 = phi_2378_;
+                                                                        if _e1725 {
+                                                                            phi_2382_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1964_ = _e1477;
+                                                                            phi_2382_ = _e1723;
                                                                         }
-                                                                        let _e1481 = phi_1964_;
-                                                                        phi_1965_ = _e1481;
+                                                                        let _e1727 = phi_2382_;
+                                                                        phi_2383_ = _e1727;
                                                                     }
-                                                                    let _e1483 = phi_1965_;
-                                                                    phi_1966_ = _e1483;
-                                                                    phi_1967_ = _e1209;
+                                                                    let _e1729 = phi_2383_;
+                                                                    phi_2384_ = _e1729;
+                                                                    phi_2385_ = _e1455;
                                                                 }
-                                                                let _e1485 = phi_1966_;
-                                                                let _e1487 = phi_1967_;
-                                                                phi_1971_ = _e1485;
-                                                                phi_1972_ = _e1487;
+                                                                let _e1731 = phi_2384_;
+                                                                let _e1733 = phi_2385_;
+                                                                phi_2389_ = _e1731;
+                                                                phi_2390_ = _e1733;
                                                             }
-                                                            let _e1489 = phi_1971_;
-                                                            let _e1491 = phi_1972_;
-                                                            phi_1973_ = _e1489;
-                                                            phi_1974_ = _e1144;
-                                                            phi_1975_ = _e1491;
+                                                            let _e1735 = phi_2389_;
+                                                            let _e1737 = phi_2390_;
+                                                            phi_2391_ = _e1735;
+                                                            phi_2392_ = _e1390;
+                                                            phi_2393_ = _e1737;
                                                         }
-                                                        let _e1493 = phi_1973_;
-                                                        let _e1495 = phi_1974_;
-                                                        let _e1497 = phi_1975_;
-                                                        phi_1976_ = _e1493;
-                                                        phi_1977_ = _e1495;
-                                                        phi_1978_ = _e1497;
+                                                        let _e1739 = phi_2391_;
+                                                        let _e1741 = phi_2392_;
+                                                        let _e1743 = phi_2393_;
+                                                        phi_2394_ = _e1739;
+                                                        phi_2395_ = _e1741;
+                                                        phi_2396_ = _e1743;
                                                     }
-                                                    let _e1499 = phi_1976_;
-                                                    let _e1501 = phi_1977_;
-                                                    let _e1503 = phi_1978_;
-                                                    phi_1986_ = _e1499;
-                                                    phi_1987_ = select(_e1503, true, _e1501);
+                                                    let _e1745 = phi_2394_;
+                                                    let _e1747 = phi_2395_;
+                                                    let _e1749 = phi_2396_;
+                                                    phi_2404_ = _e1745;
+                                                    phi_2405_ = select(_e1749, true, _e1747);
                                                 } else {
-                                                    phi_1986_ = type_27();
-                                                    phi_1987_ = true;
+                                                    phi_2404_ = type_27();
+                                                    phi_2405_ = true;
                                                 }
-                                                let _e1506 = phi_1986_;
-                                                let _e1508 = phi_1987_;
-                                                if _e1508 {
-                                                    phi_1991_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1752 = phi_2404_;
+                                                let _e1754 = phi_2405_;
+                                                if _e1754 {
+                                                    phi_2409_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1991_ = _e1506;
+                                                    phi_2409_ = _e1752;
                                                 }
-                                                let _e1510 = phi_1991_;
-                                                if (_e1510.member_3 != 4294967295u) {
-                                                    if (_e980 == _e150) {
-                                                        phi_2320_ = false;
+                                                let _e1756 = phi_2409_;
+                                                if (_e1756.member_3 != 4294967295u) {
+                                                    if (_e1226 == _e157) {
+                                                        phi_2738_ = false;
                                                     } else {
-                                                        let _e1514 = (_e980 < arrayLength((&global_5.member)));
-                                                        if _e1514 {
-                                                            if _e1514 {
+                                                        let _e1760 = (_e1226 < arrayLength((&global_5.member)));
+                                                        if _e1760 {
+                                                            if _e1760 {
                                                             } else {
-                                                                phi_3484_ = true;
+                                                                phi_4024_ = true;
                                                                 break;
                                                             }
-                                                            let _e1516 = global_5.member[_e980];
-                                                            phi_2014_ = _e1516;
+                                                            let _e1762 = global_5.member[_e1226];
+                                                            phi_2432_ = _e1762;
                                                         } else {
-                                                            phi_2014_ = 4294967295u;
+                                                            phi_2432_ = 4294967295u;
                                                         }
-                                                        let _e1518 = phi_2014_;
-                                                        let _e1519 = (_e1518 < arrayLength((&global_6.member)));
-                                                        if _e1519 {
-                                                            if _e1519 {
+                                                        let _e1764 = phi_2432_;
+                                                        let _e1765 = (_e1764 < arrayLength((&global_6.member)));
+                                                        if _e1765 {
+                                                            if _e1765 {
                                                             } else {
-                                                                phi_3484_ = true;
+                                                                phi_4024_ = true;
                                                                 break;
                                                             }
-                                                            let _e1521 = global_6.member[_e1518];
-                                                            phi_2028_ = _e1521;
+                                                            let _e1767 = global_6.member[_e1764];
+                                                            phi_2446_ = _e1767;
                                                         } else {
-                                                            phi_2028_ = 0i;
+                                                            phi_2446_ = 0i;
                                                         }
-                                                        let _e1523 = phi_2028_;
-                                                        let _e1524 = (_e1523 == 0i);
-                                                        if _e1524 {
-                                                            phi_2319_ = true;
+                                                        let _e1769 = phi_2446_;
+                                                        let _e1770 = (_e1769 == 0i);
+                                                        if _e1770 {
+                                                            phi_2737_ = true;
                                                         } else {
-                                                            if _e368 {
-                                                                phi_2049_ = vec3<f32>(_e1047[0][0], _e1047[0][1], _e1047[0][2]);
+                                                            if _e435 {
+                                                                phi_2467_ = vec3<f32>(_e1293[0][0], _e1293[0][1], _e1293[0][2]);
                                                             } else {
-                                                                if (_e344 == 1u) {
-                                                                    phi_2048_ = vec3<f32>(_e1047[0][2], _e1047[0][0], _e1047[0][1]);
+                                                                if (_e411 == 1u) {
+                                                                    phi_2466_ = vec3<f32>(_e1293[0][2], _e1293[0][0], _e1293[0][1]);
                                                                 } else {
-                                                                    phi_2048_ = vec3<f32>(_e1047[0][1], _e1047[0][2], _e1047[0][0]);
+                                                                    phi_2466_ = vec3<f32>(_e1293[0][1], _e1293[0][2], _e1293[0][0]);
                                                                 }
-                                                                let _e1529 = phi_2048_;
-                                                                phi_2049_ = _e1529;
+                                                                let _e1775 = phi_2466_;
+                                                                phi_2467_ = _e1775;
                                                             }
-                                                            let _e1532 = phi_2049_;
-                                                            if _e368 {
-                                                                phi_2066_ = vec3<f32>(_e1047[1][0], _e1047[1][1], _e1047[1][2]);
+                                                            let _e1778 = phi_2467_;
+                                                            if _e435 {
+                                                                phi_2484_ = vec3<f32>(_e1293[1][0], _e1293[1][1], _e1293[1][2]);
                                                             } else {
-                                                                if (_e344 == 1u) {
-                                                                    phi_2065_ = vec3<f32>(_e1047[1][2], _e1047[1][0], _e1047[1][1]);
+                                                                if (_e411 == 1u) {
+                                                                    phi_2483_ = vec3<f32>(_e1293[1][2], _e1293[1][0], _e1293[1][1]);
                                                                 } else {
-                                                                    phi_2065_ = vec3<f32>(_e1047[1][1], _e1047[1][2], _e1047[1][0]);
+                                                                    phi_2483_ = vec3<f32>(_e1293[1][1], _e1293[1][2], _e1293[1][0]);
                                                                 }
-                                                                let _e1537 = phi_2065_;
-                                                                phi_2066_ = _e1537;
+                                                                let _e1783 = phi_2483_;
+                                                                phi_2484_ = _e1783;
                                                             }
-                                                            let _e1540 = phi_2066_;
-                                                            if _e368 {
-                                                                phi_2083_ = vec3<f32>(_e1047[2][0], _e1047[2][1], _e1047[2][2]);
+                                                            let _e1786 = phi_2484_;
+                                                            if _e435 {
+                                                                phi_2501_ = vec3<f32>(_e1293[2][0], _e1293[2][1], _e1293[2][2]);
                                                             } else {
-                                                                if (_e344 == 1u) {
-                                                                    phi_2082_ = vec3<f32>(_e1047[2][2], _e1047[2][0], _e1047[2][1]);
+                                                                if (_e411 == 1u) {
+                                                                    phi_2500_ = vec3<f32>(_e1293[2][2], _e1293[2][0], _e1293[2][1]);
                                                                 } else {
-                                                                    phi_2082_ = vec3<f32>(_e1047[2][1], _e1047[2][2], _e1047[2][0]);
+                                                                    phi_2500_ = vec3<f32>(_e1293[2][1], _e1293[2][2], _e1293[2][0]);
                                                                 }
-                                                                let _e1545 = phi_2082_;
-                                                                phi_2083_ = _e1545;
+                                                                let _e1791 = phi_2500_;
+                                                                phi_2501_ = _e1791;
                                                             }
-                                                            let _e1548 = phi_2083_;
-                                                            let _e1551 = (_e1540.x - _e1532.x);
-                                                            let _e1554 = (_e1540.y - _e1532.y);
-                                                            let _e1557 = (_e1540.z - _e1532.z);
-                                                            let _e1559 = (_e1548.x - _e1532.x);
-                                                            let _e1561 = (_e1548.y - _e1532.y);
-                                                            let _e1563 = (_e1548.z - _e1532.z);
-                                                            if (_e222.member_1 == 1u) {
-                                                                phi_2119_ = (vec3<f32>(_e222.member[0], _e222.member[1], _e222.member[2]) - _e1532);
+                                                            let _e1794 = phi_2501_;
+                                                            let _e1797 = (_e1786.x - _e1778.x);
+                                                            let _e1800 = (_e1786.y - _e1778.y);
+                                                            let _e1803 = (_e1786.z - _e1778.z);
+                                                            let _e1805 = (_e1794.x - _e1778.x);
+                                                            let _e1807 = (_e1794.y - _e1778.y);
+                                                            let _e1809 = (_e1794.z - _e1778.z);
+                                                            if (_e289.member_1 == 1u) {
+                                                                phi_2537_ = (vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]) - _e1778);
                                                             } else {
-                                                                phi_2119_ = vec3<f32>(_e222.member[0], _e222.member[1], _e222.member[2]);
+                                                                phi_2537_ = vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]);
                                                             }
-                                                            let _e1578 = phi_2119_;
-                                                            let _e1584 = bitcast<f32>((bitcast<u32>((_e1551 * _e1561)) ^ _e222.member_3[0]));
-                                                            let _e1588 = bitcast<f32>((bitcast<u32>((_e1554 * _e1559)) ^ _e222.member_3[0]));
-                                                            let _e1592 = bitcast<f32>((bitcast<u32>((_e1554 * _e1563)) ^ _e222.member_3[0]));
-                                                            let _e1596 = bitcast<f32>((bitcast<u32>((_e1557 * _e1561)) ^ _e222.member_3[0]));
-                                                            let _e1600 = bitcast<f32>((bitcast<u32>((_e1557 * _e1559)) ^ _e222.member_3[0]));
-                                                            let _e1604 = bitcast<f32>((bitcast<u32>((_e1551 * _e1563)) ^ _e222.member_3[0]));
-                                                            let _e1605 = (_e1592 - _e1596);
-                                                            let _e1606 = (_e1600 - _e1604);
-                                                            let _e1607 = (_e1584 - _e1588);
-                                                            let _e1631 = (bitcast<f32>((bitcast<u32>(_e1592) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1596) & 2147483647u)));
-                                                            let _e1638 = (bitcast<f32>((bitcast<u32>(_e1600) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1604) & 2147483647u)));
-                                                            let _e1645 = (bitcast<f32>((bitcast<u32>(_e1584) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1588) & 2147483647u)));
-                                                            if (_e222.member_2 == 0f) {
-                                                                phi_2301_ = 0f;
+                                                            let _e1824 = phi_2537_;
+                                                            let _e1830 = bitcast<f32>((bitcast<u32>((_e1797 * _e1807)) ^ _e289.member_3[0]));
+                                                            let _e1834 = bitcast<f32>((bitcast<u32>((_e1800 * _e1805)) ^ _e289.member_3[0]));
+                                                            let _e1838 = bitcast<f32>((bitcast<u32>((_e1800 * _e1809)) ^ _e289.member_3[0]));
+                                                            let _e1842 = bitcast<f32>((bitcast<u32>((_e1803 * _e1807)) ^ _e289.member_3[0]));
+                                                            let _e1846 = bitcast<f32>((bitcast<u32>((_e1803 * _e1805)) ^ _e289.member_3[0]));
+                                                            let _e1850 = bitcast<f32>((bitcast<u32>((_e1797 * _e1809)) ^ _e289.member_3[0]));
+                                                            let _e1851 = (_e1838 - _e1842);
+                                                            let _e1852 = (_e1846 - _e1850);
+                                                            let _e1853 = (_e1830 - _e1834);
+                                                            let _e1877 = (bitcast<f32>((bitcast<u32>(_e1838) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1842) & 2147483647u)));
+                                                            let _e1884 = (bitcast<f32>((bitcast<u32>(_e1846) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1850) & 2147483647u)));
+                                                            let _e1891 = (bitcast<f32>((bitcast<u32>(_e1830) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1834) & 2147483647u)));
+                                                            if (_e289.member_2 == 0f) {
+                                                                phi_2719_ = 0f;
                                                             } else {
-                                                                let _e1675 = bitcast<f32>((bitcast<u32>(_e1605) & 2147483647u));
-                                                                let _e1678 = bitcast<f32>((bitcast<u32>(_e1606) & 2147483647u));
-                                                                let _e1681 = bitcast<f32>((bitcast<u32>(_e1607) & 2147483647u));
-                                                                let _e1683 = select(_e1681, _e1678, (_e1678 > _e1681));
-                                                                let _e1687 = select(_e1681, _e1678, (_e1678 < _e1681));
-                                                                let _e1691 = select(_e1678, _e1675, (_e1675 < _e1678));
-                                                                let _e1693 = select(_e1678, _e1675, (_e1675 > _e1678));
-                                                                let _e1695 = select(_e1681, _e1693, (_e1693 < _e1681));
-                                                                phi_2301_ = bitcast<f32>((bitcast<u32>((_e222.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1683, _e1675, (_e1675 > _e1683)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1695, _e1691, (_e1691 > _e1695)))) ^ _e222.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1687, _e1675, (_e1675 < _e1687)))) ^ _e222.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1631 + _e1638) + _e1645))) ^ _e222.member_3[0]))) * 1.0000005f)) ^ _e222.member_3[0])))) ^ _e222.member_3[0]));
+                                                                let _e1921 = bitcast<f32>((bitcast<u32>(_e1851) & 2147483647u));
+                                                                let _e1924 = bitcast<f32>((bitcast<u32>(_e1852) & 2147483647u));
+                                                                let _e1927 = bitcast<f32>((bitcast<u32>(_e1853) & 2147483647u));
+                                                                let _e1929 = select(_e1927, _e1924, (_e1924 > _e1927));
+                                                                let _e1933 = select(_e1927, _e1924, (_e1924 < _e1927));
+                                                                let _e1937 = select(_e1924, _e1921, (_e1921 < _e1924));
+                                                                let _e1939 = select(_e1924, _e1921, (_e1921 > _e1924));
+                                                                let _e1941 = select(_e1927, _e1939, (_e1939 < _e1927));
+                                                                phi_2719_ = bitcast<f32>((bitcast<u32>((_e289.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1929, _e1921, (_e1921 > _e1929)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1941, _e1937, (_e1937 > _e1941)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1933, _e1921, (_e1921 < _e1933)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1877 + _e1884) + _e1891))) ^ _e289.member_3[0]))) * 1.0000005f)) ^ _e289.member_3[0])))) ^ _e289.member_3[0]));
                                                             }
-                                                            let _e1722 = phi_2301_;
-                                                            phi_2319_ = (_e1524 || !(((((bitcast<f32>((bitcast<u32>((_e1578.x * _e1605)) ^ _e222.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1578.y * _e1606)) ^ _e222.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1578.z * _e1607)) ^ _e222.member_3[0]))) * f32(-(_e1523))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1578.x) & 2147483647u)) * _e1631)) ^ _e222.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1578.y) & 2147483647u)) * _e1638)) ^ _e222.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1578.z) & 2147483647u)) * _e1645)) ^ _e222.member_3[0]))))) ^ _e222.member_3[0])) + _e1722) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1968 = phi_2719_;
+                                                            phi_2737_ = (_e1770 || !(((((bitcast<f32>((bitcast<u32>((_e1824.x * _e1851)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1824.y * _e1852)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1824.z * _e1853)) ^ _e289.member_3[0]))) * f32(-(_e1769))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1824.x) & 2147483647u)) * _e1877)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1824.y) & 2147483647u)) * _e1884)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1824.z) & 2147483647u)) * _e1891)) ^ _e289.member_3[0]))))) ^ _e289.member_3[0])) + _e1968) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1736 = phi_2319_;
-                                                        phi_2320_ = _e1736;
+                                                        let _e1982 = phi_2737_;
+                                                        phi_2738_ = _e1982;
                                                     }
-                                                    let _e1738 = phi_2320_;
-                                                    if _e1738 {
-                                                        if (_e1510.member < _e951.member.member) {
-                                                            phi_2340_ = true;
+                                                    let _e1984 = phi_2738_;
+                                                    if _e1984 {
+                                                        if (_e1756.member < _e1197.member.member) {
+                                                            phi_2758_ = true;
                                                         } else {
-                                                            if (_e1510.member == _e951.member.member) {
-                                                                phi_2339_ = (_e1510.member_3 < _e951.member.member_3);
+                                                            if (_e1756.member == _e1197.member.member) {
+                                                                phi_2757_ = (_e1756.member_3 < _e1197.member.member_3);
                                                             } else {
-                                                                phi_2339_ = false;
+                                                                phi_2757_ = false;
                                                             }
-                                                            let _e1748 = phi_2339_;
-                                                            phi_2340_ = _e1748;
+                                                            let _e1994 = phi_2757_;
+                                                            phi_2758_ = _e1994;
                                                         }
-                                                        let _e1750 = phi_2340_;
-                                                        if _e1750 {
-                                                            phi_2346_ = type_43(_e1510, _e1510.member);
+                                                        let _e1996 = phi_2758_;
+                                                        if _e1996 {
+                                                            phi_2764_ = type_43(_e1756, _e1756.member);
                                                         } else {
-                                                            phi_2346_ = _e951;
+                                                            phi_2764_ = _e1197;
                                                         }
-                                                        let _e1753 = phi_2346_;
-                                                        phi_2347_ = _e1753;
+                                                        let _e1999 = phi_2764_;
+                                                        phi_2765_ = _e1999;
                                                     } else {
-                                                        phi_2347_ = _e951;
+                                                        phi_2765_ = _e1197;
                                                     }
-                                                    let _e1755 = phi_2347_;
-                                                    phi_2348_ = _e1755;
+                                                    let _e2001 = phi_2765_;
+                                                    phi_2766_ = _e2001;
                                                 } else {
-                                                    phi_2348_ = _e951;
+                                                    phi_2766_ = _e1197;
                                                 }
-                                                let _e1757 = phi_2348_;
-                                                phi_1016_ = _e1757;
+                                                let _e2003 = phi_2766_;
+                                                phi_1434_ = _e2003;
                                             } else {
-                                                phi_1016_ = type_43();
+                                                phi_1434_ = type_43();
                                             }
-                                            let _e1759 = phi_1016_;
+                                            let _e2005 = phi_1434_;
                                             continue;
                                             continuing {
-                                                phi_1015_ = _e1759;
-                                                phi_1018_ = _e966;
-                                                phi_3484_ = _e554;
-                                                break if !(_e972);
+                                                phi_1433_ = _e2005;
+                                                phi_1436_ = _e1212;
+                                                phi_4024_ = _e776;
+                                                break if !(_e1218);
                                             }
                                         }
-                                        let _e1762 = phi_3484_;
-                                        phi_3650_ = _e1762;
-                                        if _e1762 {
+                                        let _e2008 = phi_4024_;
+                                        phi_4216_ = _e2008;
+                                        if _e2008 {
                                             break;
                                         }
-                                        phi_3654_ = _e1762;
-                                        let _e1989 = local_11;
-                                        phi_3297_ = _e1989;
-                                        phi_3298_ = _e595;
-                                        phi_3299_ = false;
-                                        phi_3300_ = _e599;
+                                        phi_4220_ = _e2008;
+                                        let _e2334 = local_11;
+                                        phi_3739_ = _e2334;
+                                        phi_3740_ = _e817;
+                                        phi_3741_ = false;
+                                        phi_3742_ = _e821;
                                     } else {
-                                        let _e608 = (_e595.member_1 < _e91);
-                                        if _e608 {
-                                            if _e608 {
+                                        let _e830 = (_e817.member_1 < _e98);
+                                        if _e830 {
+                                            if _e830 {
                                             } else {
-                                                phi_3650_ = true;
+                                                phi_4216_ = true;
                                                 break;
                                             }
-                                            let _e610 = global_10.member[_e595.member_1];
-                                            phi_2367_ = _e610;
+                                            let _e832 = global_10.member[_e817.member_1];
+                                            phi_2785_ = _e832;
                                         } else {
-                                            phi_2367_ = type_54(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2785_ = type_54(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e612 = phi_2367_;
-                                        let _e627 = ((10u * _e344) & 31u);
-                                        let _e630 = ((_e612.member[0] >> bitcast<u32>(_e627)) & 1023u);
-                                        let _e635 = bitcast<f32>((bitcast<u32>(((_e595.member.member_1[0] - _e595.member.member[0]) * 0.0009775171f)) ^ _e133));
-                                        let _e641 = (_e595.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e630) * _e635)) ^ _e133)));
-                                        let _e645 = select(select(_e595.member.member_1[0], _e641, (_e641 < _e595.member.member_1[0])), _e595.member.member_1[0], (_e630 == 1023u));
-                                        let _e647 = ((10u * _e343) & 31u);
-                                        let _e650 = ((_e612.member[0] >> bitcast<u32>(_e647)) & 1023u);
-                                        let _e655 = bitcast<f32>((bitcast<u32>(((_e595.member.member_1[1] - _e595.member.member[1]) * 0.0009775171f)) ^ _e133));
-                                        let _e661 = (_e595.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e650) * _e655)) ^ _e133)));
-                                        let _e665 = select(select(_e595.member.member_1[1], _e661, (_e661 < _e595.member.member_1[1])), _e595.member.member_1[1], (_e650 == 1023u));
-                                        let _e667 = ((10u * _e345) & 31u);
-                                        let _e670 = ((_e612.member[0] >> bitcast<u32>(_e667)) & 1023u);
-                                        let _e675 = bitcast<f32>((bitcast<u32>(((_e595.member.member_1[2] - _e595.member.member[2]) * 0.0009775171f)) ^ _e133));
-                                        let _e681 = (_e595.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e670) * _e675)) ^ _e133)));
-                                        let _e685 = select(select(_e595.member.member_1[2], _e681, (_e681 < _e595.member.member_1[2])), _e595.member.member_1[2], (_e670 == 1023u));
-                                        let _e688 = ((_e612.member[1] >> bitcast<u32>(_e627)) & 1023u);
-                                        let _e694 = (_e595.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e688) * _e635)) ^ _e133)));
-                                        let _e698 = select(select(_e595.member.member_1[0], _e694, (_e694 < _e595.member.member_1[0])), _e595.member.member_1[0], (_e688 == 1023u));
-                                        let _e701 = ((_e612.member[1] >> bitcast<u32>(_e647)) & 1023u);
-                                        let _e707 = (_e595.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e701) * _e655)) ^ _e133)));
-                                        let _e711 = select(select(_e595.member.member_1[1], _e707, (_e707 < _e595.member.member_1[1])), _e595.member.member_1[1], (_e701 == 1023u));
-                                        let _e714 = ((_e612.member[1] >> bitcast<u32>(_e667)) & 1023u);
-                                        let _e720 = (_e595.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e714) * _e675)) ^ _e133)));
-                                        let _e724 = select(select(_e595.member.member_1[2], _e720, (_e720 < _e595.member.member_1[2])), _e595.member.member_1[2], (_e714 == 1023u));
-                                        let _e730 = ((_e612.member_1[0] >> bitcast<u32>(_e627)) & 1023u);
-                                        let _e736 = (_e595.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e730) * _e635)) ^ _e133)));
-                                        let _e740 = select(select(_e595.member.member_1[0], _e736, (_e736 < _e595.member.member_1[0])), _e595.member.member_1[0], (_e730 == 1023u));
-                                        let _e743 = ((_e612.member_1[0] >> bitcast<u32>(_e647)) & 1023u);
-                                        let _e749 = (_e595.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e743) * _e655)) ^ _e133)));
-                                        let _e753 = select(select(_e595.member.member_1[1], _e749, (_e749 < _e595.member.member_1[1])), _e595.member.member_1[1], (_e743 == 1023u));
-                                        let _e756 = ((_e612.member_1[0] >> bitcast<u32>(_e667)) & 1023u);
-                                        let _e762 = (_e595.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e756) * _e675)) ^ _e133)));
-                                        let _e766 = select(select(_e595.member.member_1[2], _e762, (_e762 < _e595.member.member_1[2])), _e595.member.member_1[2], (_e756 == 1023u));
-                                        let _e769 = ((_e612.member_1[1] >> bitcast<u32>(_e627)) & 1023u);
-                                        let _e775 = (_e595.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e769) * _e635)) ^ _e133)));
-                                        let _e779 = select(select(_e595.member.member_1[0], _e775, (_e775 < _e595.member.member_1[0])), _e595.member.member_1[0], (_e769 == 1023u));
-                                        let _e782 = ((_e612.member_1[1] >> bitcast<u32>(_e647)) & 1023u);
-                                        let _e788 = (_e595.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e782) * _e655)) ^ _e133)));
-                                        let _e792 = select(select(_e595.member.member_1[1], _e788, (_e788 < _e595.member.member_1[1])), _e595.member.member_1[1], (_e782 == 1023u));
-                                        let _e795 = ((_e612.member_1[1] >> bitcast<u32>(_e667)) & 1023u);
-                                        let _e801 = (_e595.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e795) * _e675)) ^ _e133)));
-                                        let _e805 = select(select(_e595.member.member_1[2], _e801, (_e801 < _e595.member.member_1[2])), _e595.member.member_1[2], (_e795 == 1023u));
-                                        let _e810 = type_61(type_59(array<f32, 3>(_e645, _e665, _e685), array<f32, 3>(_e698, _e711, _e724)), _e612.member_2);
-                                        let _e815 = type_61(type_59(array<f32, 3>(_e740, _e753, _e766), array<f32, 3>(_e779, _e792, _e805)), _e612.member_3);
-                                        let _e821 = ((_e645 - _e399) * _e404);
-                                        let _e822 = ((_e740 - _e399) * _e404);
-                                        let _e823 = ((_e698 - _e400) * _e404);
-                                        let _e824 = ((_e779 - _e400) * _e404);
-                                        let _e829 = ((_e665 - _e435) * _e440);
-                                        let _e830 = ((_e753 - _e435) * _e440);
-                                        let _e831 = ((_e711 - _e436) * _e440);
-                                        let _e832 = ((_e792 - _e436) * _e440);
-                                        let _e837 = ((_e685 - _e471) * _e476);
-                                        let _e838 = ((_e766 - _e471) * _e476);
-                                        let _e839 = ((_e724 - _e472) * _e476);
-                                        let _e840 = ((_e805 - _e472) * _e476);
-                                        let _e842 = select(_e839, _e837, (_e837 < _e839));
-                                        let _e844 = select(_e840, _e838, (_e838 < _e840));
-                                        let _e846 = select(_e839, _e837, (_e837 > _e839));
-                                        let _e848 = select(_e840, _e838, (_e838 > _e840));
-                                        let _e850 = select(_e823, _e821, (_e821 < _e823));
-                                        let _e852 = select(_e824, _e822, (_e822 < _e824));
-                                        let _e854 = select(_e831, _e829, (_e829 < _e831));
-                                        let _e856 = select(_e832, _e830, (_e830 < _e832));
-                                        let _e858 = select(_e854, _e850, (_e850 > _e854));
-                                        let _e860 = select(_e856, _e852, (_e852 > _e856));
-                                        let _e862 = select(_e842, _e858, (_e858 > _e842));
-                                        let _e864 = select(_e844, _e860, (_e860 > _e844));
-                                        let _e866 = select(_e823, _e821, (_e821 > _e823));
-                                        let _e868 = select(_e824, _e822, (_e822 > _e824));
-                                        let _e870 = select(_e831, _e829, (_e829 > _e831));
-                                        let _e872 = select(_e832, _e830, (_e830 > _e832));
-                                        let _e874 = select(_e870, _e866, (_e866 < _e870));
-                                        let _e876 = select(_e872, _e868, (_e868 < _e872));
-                                        let _e881 = -(_e842);
-                                        let _e882 = -(_e844);
-                                        let _e889 = (select(_e846, _e874, (_e874 < _e846)) + (select(_e881, _e846, (_e846 > _e881)) * 0.0000019073523f));
-                                        let _e890 = (select(_e848, _e876, (_e876 < _e848)) + (select(_e882, _e848, (_e848 > _e882)) * 0.0000019073523f));
-                                        let _e892 = select(_e522, _e862, (_e862 > _e522));
-                                        let _e894 = select(_e522, _e864, (_e864 > _e522));
-                                        let _e899 = (_e892 <= select(_e556.member_1, _e889, (_e889 < _e556.member_1)));
-                                        let _e900 = (_e894 <= select(_e556.member_1, _e890, (_e890 < _e556.member_1)));
-                                        let _e901 = (_e892 <= _e894);
-                                        if _e899 {
-                                            if _e900 {
-                                                if _e901 {
-                                                    phi_3199_ = _e815;
+                                        let _e834 = phi_2785_;
+                                        let _e849 = ((10u * _e411) & 31u);
+                                        let _e852 = ((_e834.member[0] >> bitcast<u32>(_e849)) & 1023u);
+                                        let _e860 = bitcast<f32>((bitcast<u32>(((_e817.member.member_1[0] - _e817.member.member[0]) * 0.0009775171f)) ^ _e140));
+                                        let _e865 = (_e817.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e852)) - 8388608f) * _e860)) ^ _e140)));
+                                        let _e869 = select(select(_e817.member.member_1[0], _e865, (_e865 < _e817.member.member_1[0])), _e817.member.member_1[0], (_e852 == 1023u));
+                                        let _e871 = ((10u * _e410) & 31u);
+                                        let _e874 = ((_e834.member[0] >> bitcast<u32>(_e871)) & 1023u);
+                                        let _e882 = bitcast<f32>((bitcast<u32>(((_e817.member.member_1[1] - _e817.member.member[1]) * 0.0009775171f)) ^ _e140));
+                                        let _e887 = (_e817.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e874)) - 8388608f) * _e882)) ^ _e140)));
+                                        let _e891 = select(select(_e817.member.member_1[1], _e887, (_e887 < _e817.member.member_1[1])), _e817.member.member_1[1], (_e874 == 1023u));
+                                        let _e893 = ((10u * _e412) & 31u);
+                                        let _e896 = ((_e834.member[0] >> bitcast<u32>(_e893)) & 1023u);
+                                        let _e904 = bitcast<f32>((bitcast<u32>(((_e817.member.member_1[2] - _e817.member.member[2]) * 0.0009775171f)) ^ _e140));
+                                        let _e909 = (_e817.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e904)) ^ _e140)));
+                                        let _e913 = select(select(_e817.member.member_1[2], _e909, (_e909 < _e817.member.member_1[2])), _e817.member.member_1[2], (_e896 == 1023u));
+                                        let _e916 = ((_e834.member[1] >> bitcast<u32>(_e849)) & 1023u);
+                                        let _e924 = (_e817.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e916)) - 8388608f) * _e860)) ^ _e140)));
+                                        let _e928 = select(select(_e817.member.member_1[0], _e924, (_e924 < _e817.member.member_1[0])), _e817.member.member_1[0], (_e916 == 1023u));
+                                        let _e931 = ((_e834.member[1] >> bitcast<u32>(_e871)) & 1023u);
+                                        let _e939 = (_e817.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e931)) - 8388608f) * _e882)) ^ _e140)));
+                                        let _e943 = select(select(_e817.member.member_1[1], _e939, (_e939 < _e817.member.member_1[1])), _e817.member.member_1[1], (_e931 == 1023u));
+                                        let _e946 = ((_e834.member[1] >> bitcast<u32>(_e893)) & 1023u);
+                                        let _e954 = (_e817.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e946)) - 8388608f) * _e904)) ^ _e140)));
+                                        let _e958 = select(select(_e817.member.member_1[2], _e954, (_e954 < _e817.member.member_1[2])), _e817.member.member_1[2], (_e946 == 1023u));
+                                        let _e964 = ((_e834.member_1[0] >> bitcast<u32>(_e849)) & 1023u);
+                                        let _e972 = (_e817.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e964)) - 8388608f) * _e860)) ^ _e140)));
+                                        let _e976 = select(select(_e817.member.member_1[0], _e972, (_e972 < _e817.member.member_1[0])), _e817.member.member_1[0], (_e964 == 1023u));
+                                        let _e979 = ((_e834.member_1[0] >> bitcast<u32>(_e871)) & 1023u);
+                                        let _e987 = (_e817.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e979)) - 8388608f) * _e882)) ^ _e140)));
+                                        let _e991 = select(select(_e817.member.member_1[1], _e987, (_e987 < _e817.member.member_1[1])), _e817.member.member_1[1], (_e979 == 1023u));
+                                        let _e994 = ((_e834.member_1[0] >> bitcast<u32>(_e893)) & 1023u);
+                                        let _e1002 = (_e817.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e994)) - 8388608f) * _e904)) ^ _e140)));
+                                        let _e1006 = select(select(_e817.member.member_1[2], _e1002, (_e1002 < _e817.member.member_1[2])), _e817.member.member_1[2], (_e994 == 1023u));
+                                        let _e1009 = ((_e834.member_1[1] >> bitcast<u32>(_e849)) & 1023u);
+                                        let _e1017 = (_e817.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1009)) - 8388608f) * _e860)) ^ _e140)));
+                                        let _e1021 = select(select(_e817.member.member_1[0], _e1017, (_e1017 < _e817.member.member_1[0])), _e817.member.member_1[0], (_e1009 == 1023u));
+                                        let _e1024 = ((_e834.member_1[1] >> bitcast<u32>(_e871)) & 1023u);
+                                        let _e1032 = (_e817.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1024)) - 8388608f) * _e882)) ^ _e140)));
+                                        let _e1036 = select(select(_e817.member.member_1[1], _e1032, (_e1032 < _e817.member.member_1[1])), _e817.member.member_1[1], (_e1024 == 1023u));
+                                        let _e1039 = ((_e834.member_1[1] >> bitcast<u32>(_e893)) & 1023u);
+                                        let _e1047 = (_e817.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1039)) - 8388608f) * _e904)) ^ _e140)));
+                                        let _e1051 = select(select(_e817.member.member_1[2], _e1047, (_e1047 < _e817.member.member_1[2])), _e817.member.member_1[2], (_e1039 == 1023u));
+                                        let _e1056 = type_61(type_59(array<f32, 3>(_e869, _e891, _e913), array<f32, 3>(_e928, _e943, _e958)), _e834.member_2);
+                                        let _e1061 = type_61(type_59(array<f32, 3>(_e976, _e991, _e1006), array<f32, 3>(_e1021, _e1036, _e1051)), _e834.member_3);
+                                        let _e1067 = ((_e869 - _e496) * _e501);
+                                        let _e1068 = ((_e976 - _e496) * _e501);
+                                        let _e1069 = ((_e928 - _e497) * _e501);
+                                        let _e1070 = ((_e1021 - _e497) * _e501);
+                                        let _e1075 = ((_e891 - _e562) * _e567);
+                                        let _e1076 = ((_e991 - _e562) * _e567);
+                                        let _e1077 = ((_e943 - _e563) * _e567);
+                                        let _e1078 = ((_e1036 - _e563) * _e567);
+                                        let _e1083 = ((_e913 - _e628) * _e633);
+                                        let _e1084 = ((_e1006 - _e628) * _e633);
+                                        let _e1085 = ((_e958 - _e629) * _e633);
+                                        let _e1086 = ((_e1051 - _e629) * _e633);
+                                        let _e1088 = select(_e1085, _e1083, (_e1083 < _e1085));
+                                        let _e1090 = select(_e1086, _e1084, (_e1084 < _e1086));
+                                        let _e1092 = select(_e1085, _e1083, (_e1083 > _e1085));
+                                        let _e1094 = select(_e1086, _e1084, (_e1084 > _e1086));
+                                        let _e1096 = select(_e1069, _e1067, (_e1067 < _e1069));
+                                        let _e1098 = select(_e1070, _e1068, (_e1068 < _e1070));
+                                        let _e1100 = select(_e1077, _e1075, (_e1075 < _e1077));
+                                        let _e1102 = select(_e1078, _e1076, (_e1076 < _e1078));
+                                        let _e1104 = select(_e1100, _e1096, (_e1096 > _e1100));
+                                        let _e1106 = select(_e1102, _e1098, (_e1098 > _e1102));
+                                        let _e1108 = select(_e1088, _e1104, (_e1104 > _e1088));
+                                        let _e1110 = select(_e1090, _e1106, (_e1106 > _e1090));
+                                        let _e1112 = select(_e1069, _e1067, (_e1067 > _e1069));
+                                        let _e1114 = select(_e1070, _e1068, (_e1068 > _e1070));
+                                        let _e1116 = select(_e1077, _e1075, (_e1075 > _e1077));
+                                        let _e1118 = select(_e1078, _e1076, (_e1076 > _e1078));
+                                        let _e1120 = select(_e1116, _e1112, (_e1112 < _e1116));
+                                        let _e1122 = select(_e1118, _e1114, (_e1114 < _e1118));
+                                        let _e1127 = -(_e1088);
+                                        let _e1128 = -(_e1090);
+                                        let _e1135 = (select(_e1092, _e1120, (_e1120 < _e1092)) + (select(_e1127, _e1092, (_e1092 > _e1127)) * 0.0000019073523f));
+                                        let _e1136 = (select(_e1094, _e1122, (_e1122 < _e1094)) + (select(_e1128, _e1094, (_e1094 > _e1128)) * 0.0000019073523f));
+                                        let _e1138 = select(_e744, _e1108, (_e1108 > _e744));
+                                        let _e1140 = select(_e744, _e1110, (_e1110 > _e744));
+                                        let _e1145 = (_e1138 <= select(_e778.member_1, _e1135, (_e1135 < _e778.member_1)));
+                                        let _e1146 = (_e1140 <= select(_e778.member_1, _e1136, (_e1136 < _e778.member_1)));
+                                        let _e1147 = (_e1138 <= _e1140);
+                                        if _e1145 {
+                                            if _e1146 {
+                                                if _e1147 {
+                                                    phi_3641_ = _e1061;
                                                 } else {
-                                                    phi_3199_ = _e810;
+                                                    phi_3641_ = _e1056;
                                                 }
-                                                let _e903 = phi_3199_;
-                                                let _e911 = (_e599 % 128u);
-                                                let _e912 = (_e911 < 128u);
-                                                if _e912 {
+                                                let _e1149 = phi_3641_;
+                                                let _e1157 = (_e821 % 128u);
+                                                let _e1158 = (_e1157 < 128u);
+                                                if _e1158 {
                                                 } else {
-                                                    phi_3650_ = true;
+                                                    phi_4216_ = true;
                                                     break;
                                                 }
-                                                local_6[_e911] = _e903.member_1;
-                                                if _e912 {
+                                                local_6[_e1157] = _e1149.member_1;
+                                                if _e1158 {
                                                 } else {
-                                                    phi_3650_ = true;
+                                                    phi_4216_ = true;
                                                     break;
                                                 }
-                                                local_5[_e911] = _e903.member.member[0];
-                                                if _e912 {
+                                                local_5[_e1157] = _e1149.member.member[0];
+                                                if _e1158 {
                                                 } else {
-                                                    phi_3650_ = true;
+                                                    phi_4216_ = true;
                                                     break;
                                                 }
-                                                local_4[_e911] = _e903.member.member[1];
-                                                if _e912 {
+                                                local_4[_e1157] = _e1149.member.member[1];
+                                                if _e1158 {
                                                 } else {
-                                                    phi_3650_ = true;
+                                                    phi_4216_ = true;
                                                     break;
                                                 }
-                                                local_3[_e911] = _e903.member.member[2];
-                                                if _e912 {
+                                                local_3[_e1157] = _e1149.member.member[2];
+                                                if _e1158 {
                                                 } else {
-                                                    phi_3650_ = true;
+                                                    phi_4216_ = true;
                                                     break;
                                                 }
-                                                local_2[_e911] = _e903.member.member_1[0];
-                                                if _e912 {
+                                                local_2[_e1157] = _e1149.member.member_1[0];
+                                                if _e1158 {
                                                 } else {
-                                                    phi_3650_ = true;
+                                                    phi_4216_ = true;
                                                     break;
                                                 }
-                                                local_1[_e911] = _e903.member.member_1[1];
-                                                if _e912 {
+                                                local_1[_e1157] = _e1149.member.member_1[1];
+                                                if _e1158 {
                                                 } else {
-                                                    phi_3650_ = true;
+                                                    phi_4216_ = true;
                                                     break;
                                                 }
-                                                local[_e911] = _e903.member.member_1[2];
-                                                if _e912 {
+                                                local[_e1157] = _e1149.member.member_1[2];
+                                                if _e1158 {
                                                 } else {
-                                                    phi_3650_ = true;
+                                                    phi_4216_ = true;
                                                     break;
                                                 }
-                                                local_7[_e911] = select(_e894, _e892, (_e892 > _e894));
-                                                if _e901 {
-                                                    phi_3276_ = _e810;
+                                                local_7[_e1157] = select(_e1140, _e1138, (_e1138 > _e1140));
+                                                if _e1147 {
+                                                    phi_3718_ = _e1056;
                                                 } else {
-                                                    phi_3276_ = _e815;
+                                                    phi_3718_ = _e1061;
                                                 }
-                                                let _e929 = phi_3276_;
-                                                phi_3277_ = _e929;
-                                                phi_3278_ = (_e599 + 1u);
+                                                let _e1175 = phi_3718_;
+                                                phi_3719_ = _e1175;
+                                                phi_3720_ = (_e821 + 1u);
                                             } else {
-                                                phi_3277_ = type_61();
-                                                phi_3278_ = u32();
+                                                phi_3719_ = type_61();
+                                                phi_3720_ = u32();
                                             }
-                                            let _e931 = phi_3277_;
-                                            let _e933 = phi_3278_;
-                                            phi_3280_ = _e931;
-                                            phi_3281_ = _e933;
-                                            phi_3282_ = select(true, false, _e900);
+                                            let _e1177 = phi_3719_;
+                                            let _e1179 = phi_3720_;
+                                            phi_3722_ = _e1177;
+                                            phi_3723_ = _e1179;
+                                            phi_3724_ = select(true, false, _e1146);
                                         } else {
-                                            phi_3280_ = type_61();
-                                            phi_3281_ = u32();
-                                            phi_3282_ = true;
+                                            phi_3722_ = type_61();
+                                            phi_3723_ = u32();
+                                            phi_3724_ = true;
                                         }
-                                        let _e936 = phi_3280_;
-                                        let _e938 = phi_3281_;
-                                        let _e940 = phi_3282_;
-                                        if _e940 {
-                                            if _e899 {
-                                                phi_3289_ = _e810;
+                                        let _e1182 = phi_3722_;
+                                        let _e1184 = phi_3723_;
+                                        let _e1186 = phi_3724_;
+                                        if _e1186 {
+                                            if _e1145 {
+                                                phi_3731_ = _e1056;
                                             } else {
-                                                phi_3289_ = _e815;
+                                                phi_3731_ = _e1061;
                                             }
-                                            let _e942 = phi_3289_;
-                                            phi_3294_ = _e942;
-                                            phi_3295_ = select(_e900, true, _e899);
+                                            let _e1188 = phi_3731_;
+                                            phi_3736_ = _e1188;
+                                            phi_3737_ = select(_e1146, true, _e1145);
                                         } else {
-                                            phi_3294_ = _e936;
-                                            phi_3295_ = _e597;
+                                            phi_3736_ = _e1182;
+                                            phi_3737_ = _e819;
                                         }
-                                        let _e945 = phi_3294_;
-                                        let _e947 = phi_3295_;
-                                        phi_3654_ = _e554;
-                                        phi_3297_ = _e556;
-                                        phi_3298_ = _e945;
-                                        phi_3299_ = _e947;
-                                        phi_3300_ = select(_e938, _e599, _e940);
+                                        let _e1191 = phi_3736_;
+                                        let _e1193 = phi_3737_;
+                                        phi_4220_ = _e776;
+                                        phi_3739_ = _e778;
+                                        phi_3740_ = _e1191;
+                                        phi_3741_ = _e1193;
+                                        phi_3742_ = select(_e1184, _e821, _e1186);
                                     }
-                                    let _e1764 = phi_3654_;
-                                    let _e1766 = phi_3297_;
-                                    let _e1768 = phi_3298_;
-                                    let _e1770 = phi_3299_;
-                                    let _e1772 = phi_3300_;
-                                    phi_3653_ = _e1764;
-                                    phi_3301_ = _e1766;
-                                    phi_3302_ = _e1768;
-                                    phi_3303_ = (_e560 - 1u);
-                                    phi_3304_ = _e1770;
-                                    phi_3305_ = _e1772;
+                                    let _e2010 = phi_4220_;
+                                    let _e2012 = phi_3739_;
+                                    let _e2014 = phi_3740_;
+                                    let _e2016 = phi_3741_;
+                                    let _e2018 = phi_3742_;
+                                    phi_4219_ = _e2010;
+                                    phi_3743_ = _e2012;
+                                    phi_3744_ = _e2014;
+                                    phi_3745_ = (_e782 - 1u);
+                                    phi_3746_ = _e2016;
+                                    phi_3747_ = _e2018;
                                 } else {
-                                    phi_3653_ = _e554;
-                                    phi_3301_ = _e556;
-                                    phi_3302_ = _e595;
-                                    phi_3303_ = _e560;
-                                    phi_3304_ = _e597;
-                                    phi_3305_ = _e599;
+                                    phi_4219_ = _e776;
+                                    phi_3743_ = _e778;
+                                    phi_3744_ = _e817;
+                                    phi_3745_ = _e782;
+                                    phi_3746_ = _e819;
+                                    phi_3747_ = _e821;
                                 }
-                                let _e1774 = phi_3653_;
-                                let _e1776 = phi_3301_;
-                                let _e1778 = phi_3302_;
-                                let _e1780 = phi_3303_;
-                                let _e1782 = phi_3304_;
-                                let _e1784 = phi_3305_;
-                                phi_3652_ = _e1774;
-                                phi_3306_ = _e1776;
-                                phi_3307_ = _e1778;
-                                phi_3308_ = _e1780;
-                                phi_3309_ = _e1782;
-                                phi_3310_ = _e1784;
+                                let _e2020 = phi_4219_;
+                                let _e2022 = phi_3743_;
+                                let _e2024 = phi_3744_;
+                                let _e2026 = phi_3745_;
+                                let _e2028 = phi_3746_;
+                                let _e2030 = phi_3747_;
+                                phi_4218_ = _e2020;
+                                phi_3748_ = _e2022;
+                                phi_3749_ = _e2024;
+                                phi_3750_ = _e2026;
+                                phi_3751_ = _e2028;
+                                phi_3752_ = _e2030;
                             } else {
-                                phi_3652_ = _e554;
-                                phi_3306_ = type_43();
-                                phi_3307_ = type_61();
-                                phi_3308_ = u32();
-                                phi_3309_ = bool();
-                                phi_3310_ = u32();
+                                phi_4218_ = _e776;
+                                phi_3748_ = type_43();
+                                phi_3749_ = type_61();
+                                phi_3750_ = u32();
+                                phi_3751_ = bool();
+                                phi_3752_ = u32();
                             }
-                            let _e1786 = phi_3652_;
-                            let _e1788 = phi_3306_;
-                            let _e1790 = phi_3307_;
-                            let _e1792 = phi_3308_;
-                            let _e1794 = phi_3309_;
-                            let _e1796 = phi_3310_;
-                            phi_3651_ = _e1786;
-                            phi_890_ = _e1788;
-                            phi_893_ = _e1790;
-                            phi_895_ = _e1792;
-                            phi_897_ = _e1794;
-                            phi_899_ = _e1796;
-                            phi_3311_ = _e568;
+                            let _e2032 = phi_4218_;
+                            let _e2034 = phi_3748_;
+                            let _e2036 = phi_3749_;
+                            let _e2038 = phi_3750_;
+                            let _e2040 = phi_3751_;
+                            let _e2042 = phi_3752_;
+                            phi_4217_ = _e2032;
+                            phi_1308_ = _e2034;
+                            phi_1311_ = _e2036;
+                            phi_1313_ = _e2038;
+                            phi_1315_ = _e2040;
+                            phi_1317_ = _e2042;
+                            phi_3753_ = _e790;
                         } else {
-                            phi_3651_ = _e554;
-                            phi_890_ = type_43();
-                            phi_893_ = type_61();
-                            phi_895_ = u32();
-                            phi_897_ = bool();
-                            phi_899_ = u32();
-                            phi_3311_ = false;
+                            phi_4217_ = _e776;
+                            phi_1308_ = type_43();
+                            phi_1311_ = type_61();
+                            phi_1313_ = u32();
+                            phi_1315_ = bool();
+                            phi_1317_ = u32();
+                            phi_3753_ = false;
                         }
-                        let _e1798 = phi_3651_;
-                        let _e1800 = phi_890_;
-                        let _e1802 = phi_893_;
-                        let _e1804 = phi_895_;
-                        let _e1806 = phi_897_;
-                        let _e1808 = phi_899_;
-                        let _e1810 = phi_3311_;
+                        let _e2044 = phi_4217_;
+                        let _e2046 = phi_1308_;
+                        let _e2048 = phi_1311_;
+                        let _e2050 = phi_1313_;
+                        let _e2052 = phi_1315_;
+                        let _e2054 = phi_1317_;
+                        let _e2056 = phi_3753_;
                         continue;
                         continuing {
-                            phi_3490_ = _e1798;
-                            phi_889_ = _e1800;
-                            phi_892_ = _e1802;
-                            phi_894_ = _e1804;
-                            phi_896_ = _e1806;
-                            phi_898_ = _e1808;
-                            phi_3650_ = _e1798;
-                            break if !(_e1810);
+                            phi_4030_ = _e2044;
+                            phi_1307_ = _e2046;
+                            phi_1310_ = _e2048;
+                            phi_1312_ = _e2050;
+                            phi_1314_ = _e2052;
+                            phi_1316_ = _e2054;
+                            phi_4216_ = _e2044;
+                            break if !(_e2056);
                         }
                     }
-                    let _e1813 = phi_3650_;
-                    if _e1813 {
+                    let _e2059 = phi_4216_;
+                    if _e2059 {
                         break;
                     }
-                    let _e1815 = local_10;
-                    if (_e1815.member.member_3 != 4294967295u) {
-                        let _e1820 = (_e346 / 3i);
-                        let _e1827 = bitcast<f32>((bitcast<u32>((_e1820 + 127i)) << bitcast<u32>(23i)));
-                        let _e1835 = (((_e1815.member.member * _e1827) * _e1827) * bitcast<f32>((bitcast<u32>(((_e346 - (2i * _e1820)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1837 = select(340282350000000000000000000000000000000f, _e1835, (_e1835 < 340282350000000000000000000000000000000f));
-                        phi_3363_ = type_27(select(-340282350000000000000000000000000000000f, _e1837, (_e1837 > -340282350000000000000000000000000000000f)), _e1815.member.member_1, _e1815.member.member_2, _e1815.member.member_3);
+                    let _e2061 = local_10;
+                    if (_e2061.member.member_3 != 4294967295u) {
+                        let _e2066 = bitcast<u32>(_e2061.member.member);
+                        let _e2070 = (bitcast<i32>((_e2066 >> bitcast<u32>(23i))) & 255i);
+                        let _e2071 = (_e2070 + _e413);
+                        if (_e2070 == 255i) {
+                            phi_3812_ = _e2061.member.member;
+                        } else {
+                            if (_e2070 > 0i) {
+                                if (_e2071 > 0i) {
+                                    let _e2075 = (_e2071 < 255i);
+                                    if _e2075 {
+                                        phi_3791_ = bitcast<f32>((_e2066 + bitcast<u32>((_e413 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_3791_ = f32();
+                                    }
+                                    let _e2082 = phi_3791_;
+                                    phi_3793_ = _e2082;
+                                    phi_3794_ = select(true, false, _e2075);
+                                } else {
+                                    phi_3793_ = f32();
+                                    phi_3794_ = true;
+                                }
+                                let _e2085 = phi_3793_;
+                                let _e2087 = phi_3794_;
+                                phi_3795_ = _e2085;
+                                phi_3796_ = _e2087;
+                            } else {
+                                phi_3795_ = f32();
+                                phi_3796_ = true;
+                            }
+                            let _e2089 = phi_3795_;
+                            let _e2091 = phi_3796_;
+                            if _e2091 {
+                                let _e2092 = (_e2066 & 2147483648u);
+                                let _e2099 = ((_e2066 & 8388607u) | (select(0u, 1u, ((_e2066 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2103 = (_e2099 == 0u);
+                                if _e2103 {
+                                    phi_3994_ = bitcast<f32>(_e2092);
+                                } else {
+                                    let _e2108 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2099)), 32u, _e2103) - 8u);
+                                    let _e2111 = (_e2099 << bitcast<u32>((_e2108 & 31u)));
+                                    let _e2113 = ((_e2071 + select(0i, 1i, (_e2070 == 0i))) - bitcast<i32>(_e2108));
+                                    if (_e2113 >= 255i) {
+                                        phi_3984_ = bitcast<f32>((_e2092 | 2139095040u));
+                                        phi_3985_ = f32();
+                                        phi_3986_ = true;
+                                    } else {
+                                        let _e2115 = (_e2113 > 0i);
+                                        if _e2115 {
+                                            phi_3978_ = bitcast<f32>(((_e2092 | (bitcast<u32>(_e2113) << bitcast<u32>(23i))) | (_e2111 & 8388607u)));
+                                            phi_3979_ = f32();
+                                        } else {
+                                            if (_e2113 < -24i) {
+                                                phi_3944_ = 26u;
+                                            } else {
+                                                phi_3944_ = bitcast<u32>((1i - _e2113));
+                                            }
+                                            let _e2120 = phi_3944_;
+                                            let _e2121 = (_e2120 & 31u);
+                                            let _e2123 = (_e2111 >> bitcast<u32>(_e2121));
+                                            let _e2127 = (_e2111 & ((1u << bitcast<u32>(_e2121)) - 1u));
+                                            let _e2131 = (1u << bitcast<u32>(((_e2120 - 1u) & 31u)));
+                                            if (_e2127 > _e2131) {
+                                                phi_3965_ = true;
+                                            } else {
+                                                if (_e2127 == _e2131) {
+                                                    phi_3962_ = ((_e2123 & 1u) == 1u);
+                                                } else {
+                                                    phi_3962_ = false;
+                                                }
+                                                let _e2137 = phi_3962_;
+                                                phi_3965_ = _e2137;
+                                            }
+                                            let _e2139 = phi_3965_;
+                                            phi_3978_ = f32();
+                                            phi_3979_ = bitcast<f32>((_e2092 | (_e2123 + select(0u, 1u, _e2139))));
+                                        }
+                                        let _e2152 = phi_3978_;
+                                        let _e2154 = phi_3979_;
+                                        phi_3984_ = _e2152;
+                                        phi_3985_ = _e2154;
+                                        phi_3986_ = _e2115;
+                                    }
+                                    let _e2158 = phi_3984_;
+                                    let _e2160 = phi_3985_;
+                                    let _e2162 = phi_3986_;
+                                    phi_3994_ = select(_e2160, _e2158, _e2162);
+                                }
+                                let _e2166 = phi_3994_;
+                                phi_3811_ = _e2166;
+                            } else {
+                                phi_3811_ = _e2089;
+                            }
+                            let _e2168 = phi_3811_;
+                            phi_3812_ = _e2168;
+                        }
+                        let _e2170 = phi_3812_;
+                        let _e2171 = bitcast<u32>(_e2170);
+                        if ((_e2171 & 2147483647u) >= 2139095040u) {
+                            phi_3824_ = bitcast<f32>(((_e2171 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_3824_ = _e2170;
+                        }
+                        let _e2178 = phi_3824_;
+                        phi_3829_ = type_27(_e2178, _e2061.member.member_1, _e2061.member.member_2, _e2061.member.member_3);
                     } else {
-                        phi_3363_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3829_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1844 = phi_3363_;
-                    if _e223 {
+                    let _e2183 = phi_3829_;
+                    if _e290 {
                     } else {
                         break;
                     }
-                    global_8.member[_e137] = _e1844;
-                    if _e144 {
+                    global_8.member[_e144] = _e2183;
+                    if _e151 {
                     } else {
                         break;
                     }
-                    let _e1848 = select(0u, 1u, (_e290 <= _e300));
-                    if (_e1848 > 0u) {
-                        let _e1850 = (1u < _e105);
-                        if _e1850 {
-                            if (0u < _e105) {
+                    let _e2187 = select(0u, 1u, (_e357 <= _e367));
+                    if (_e2187 > 0u) {
+                        let _e2189 = (1u < _e112);
+                        if _e2189 {
+                            if (0u < _e112) {
                             } else {
                                 break;
                             }
-                            let _e1854 = atomicAdd((&global_9.member[0u]), _e1848);
-                            if ((_e1854 + _e1848) < _e1854) {
-                                if _e1850 {
+                            let _e2193 = atomicAdd((&global_9.member[0u]), _e2187);
+                            if ((_e2193 + _e2187) < _e2193) {
+                                if _e2189 {
                                 } else {
                                     break;
                                 }
-                                let _e1859 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e2198 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1862 = select(0u, 1u, (_e1844.member_3 != 4294967295u));
-                    if (_e1862 > 0u) {
-                        let _e1864 = (3u < _e105);
-                        if _e1864 {
-                            if (2u < _e105) {
+                    let _e2201 = select(0u, 1u, (_e2183.member_3 != 4294967295u));
+                    if (_e2201 > 0u) {
+                        let _e2203 = (3u < _e112);
+                        if _e2203 {
+                            if (2u < _e112) {
                             } else {
                                 break;
                             }
-                            let _e1868 = atomicAdd((&global_9.member[2u]), _e1862);
-                            if ((_e1868 + _e1862) < _e1868) {
-                                if _e1864 {
+                            let _e2207 = atomicAdd((&global_9.member[2u]), _e2201);
+                            if ((_e2207 + _e2201) < _e2207) {
+                                if _e2203 {
                                 } else {
                                     break;
                                 }
-                                let _e1873 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e2212 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

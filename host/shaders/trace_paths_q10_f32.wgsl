@@ -127,445 +127,533 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_327_: u32;
-    var phi_371_: i32;
-    var phi_395_: type_44;
-    var phi_501_: i32;
-    var phi_502_: i32;
-    var phi_512_: bool;
-    var phi_522_: u32;
-    var phi_523_: u32;
-    var phi_525_: bool;
-    var phi_530_: u32;
-    var phi_562_: i32;
-    var phi_580_: f32;
-    var phi_586_: f32;
-    var phi_597_: f32;
-    var phi_603_: f32;
-    var phi_626_: f32;
-    var phi_637_: f32;
-    var phi_646_: f32;
-    var phi_652_: f32;
-    var phi_663_: f32;
-    var phi_669_: f32;
-    var phi_692_: f32;
-    var phi_703_: f32;
-    var phi_712_: f32;
-    var phi_718_: f32;
-    var phi_729_: f32;
-    var phi_735_: f32;
-    var phi_758_: f32;
-    var phi_769_: f32;
-    var phi_869_: f32;
-    var phi_870_: f32;
-    var phi_3968_: bool;
-    var phi_959_: type_47;
-    var phi_962_: type_62;
-    var phi_964_: u32;
-    var phi_966_: bool;
-    var phi_968_: u32;
-    var phi_979_: bool;
-    var phi_1065_: type_62;
-    var phi_1066_: bool;
-    var phi_1067_: u32;
-    var phi_3140_: u32;
-    var phi_3141_: u32;
-    var phi_3151_: u32;
-    var phi_3153_: u32;
-    var phi_3154_: bool;
-    var phi_3174_: u32;
-    var phi_3175_: u32;
-    var phi_3179_: type_63;
-    var phi_3523_: type_62;
-    var phi_3600_: type_62;
-    var phi_3601_: type_62;
-    var phi_3602_: u32;
-    var phi_3604_: type_62;
-    var phi_3605_: u32;
-    var phi_3606_: bool;
-    var phi_3615_: type_62;
-    var phi_3620_: type_62;
-    var phi_3621_: bool;
-    var phi_1085_: type_47;
-    var phi_1088_: type_8;
-    var phi_1089_: type_8;
-    var phi_1111_: type_8;
-    var phi_1132_: u32;
-    var phi_1221_: array<array<f32, 3>, 3>;
-    var phi_1338_: bool;
-    var phi_1367_: bool;
-    var phi_1768_: f32;
-    var phi_1769_: f32;
-    var phi_1770_: f32;
-    var phi_1771_: f32;
-    var phi_1772_: vec3<f32>;
-    var phi_1773_: vec3<f32>;
-    var phi_1774_: vec3<f32>;
-    var phi_1775_: vec3<f32>;
-    var phi_1806_: bool;
-    var phi_1815_: vec3<f32>;
-    var phi_1980_: f32;
-    var phi_1982_: f32;
-    var phi_1983_: bool;
-    var phi_2003_: f32;
-    var phi_2004_: f32;
-    var phi_2027_: type_30;
-    var phi_2029_: type_30;
-    var phi_2030_: bool;
-    var phi_2034_: type_30;
-    var phi_2035_: type_30;
-    var phi_2036_: type_30;
-    var phi_2037_: bool;
-    var phi_2041_: type_30;
-    var phi_2042_: bool;
-    var phi_2043_: type_30;
-    var phi_2044_: bool;
-    var phi_2045_: bool;
-    var phi_2046_: type_30;
-    var phi_2047_: bool;
-    var phi_2048_: bool;
-    var phi_2056_: type_30;
-    var phi_2057_: bool;
-    var phi_2061_: type_30;
-    var phi_2084_: u32;
-    var phi_2098_: i32;
-    var phi_2118_: vec3<f32>;
-    var phi_2119_: vec3<f32>;
-    var phi_2135_: vec3<f32>;
-    var phi_2136_: vec3<f32>;
-    var phi_2152_: vec3<f32>;
-    var phi_2153_: vec3<f32>;
-    var phi_2189_: vec3<f32>;
-    var phi_2371_: f32;
-    var phi_2389_: bool;
-    var phi_2390_: bool;
-    var phi_2409_: bool;
-    var phi_2410_: bool;
-    var phi_2416_: type_47;
-    var phi_2417_: type_47;
-    var phi_2418_: type_47;
-    var phi_1086_: type_47;
-    var phi_3962_: bool;
-    var phi_4132_: bool;
-    var phi_3623_: type_47;
-    var phi_3624_: type_62;
-    var phi_3625_: bool;
-    var phi_3626_: u32;
-    var phi_4131_: bool;
-    var phi_3627_: type_47;
-    var phi_3628_: type_62;
-    var phi_3629_: u32;
-    var phi_3630_: bool;
-    var phi_3631_: u32;
-    var phi_4130_: bool;
-    var phi_3632_: type_47;
-    var phi_3633_: type_62;
-    var phi_3634_: u32;
-    var phi_3635_: bool;
-    var phi_3636_: u32;
-    var phi_4129_: bool;
-    var phi_960_: type_47;
-    var phi_963_: type_62;
-    var phi_965_: u32;
-    var phi_967_: bool;
-    var phi_969_: u32;
-    var phi_3637_: bool;
-    var phi_4128_: bool;
+    var phi_410_: u32;
+    var phi_454_: i32;
+    var phi_594_: type_44;
+    var phi_700_: i32;
+    var phi_701_: i32;
+    var phi_711_: bool;
+    var phi_721_: u32;
+    var phi_722_: u32;
+    var phi_724_: bool;
+    var phi_729_: u32;
+    var phi_761_: i32;
+    var phi_779_: f32;
+    var phi_785_: f32;
+    var phi_825_: f32;
+    var phi_831_: f32;
+    var phi_883_: f32;
+    var phi_894_: f32;
+    var phi_903_: f32;
+    var phi_909_: f32;
+    var phi_949_: f32;
+    var phi_955_: f32;
+    var phi_1007_: f32;
+    var phi_1018_: f32;
+    var phi_1027_: f32;
+    var phi_1033_: f32;
+    var phi_1073_: f32;
+    var phi_1079_: f32;
+    var phi_1131_: f32;
+    var phi_1142_: f32;
+    var phi_1197_: i32;
+    var phi_1219_: u32;
+    var phi_1220_: u32;
+    var phi_1257_: i32;
+    var phi_1279_: u32;
+    var phi_1280_: u32;
+    var phi_1288_: f32;
+    var phi_1289_: f32;
+    var phi_4493_: bool;
+    var phi_1378_: type_47;
+    var phi_1381_: type_62;
+    var phi_1383_: u32;
+    var phi_1385_: bool;
+    var phi_1387_: u32;
+    var phi_1398_: bool;
+    var phi_1484_: type_62;
+    var phi_1485_: bool;
+    var phi_1486_: u32;
+    var phi_3559_: u32;
+    var phi_3560_: u32;
+    var phi_3570_: u32;
+    var phi_3572_: u32;
+    var phi_3573_: bool;
+    var phi_3593_: u32;
+    var phi_3594_: u32;
+    var phi_3598_: type_63;
+    var phi_3942_: type_62;
+    var phi_4019_: type_62;
+    var phi_4020_: type_62;
+    var phi_4021_: u32;
+    var phi_4023_: type_62;
+    var phi_4024_: u32;
+    var phi_4025_: bool;
+    var phi_4034_: type_62;
+    var phi_4039_: type_62;
+    var phi_4040_: bool;
+    var phi_1504_: type_47;
+    var phi_1507_: type_8;
+    var phi_1508_: type_8;
+    var phi_1530_: type_8;
+    var phi_1551_: u32;
+    var phi_1640_: array<array<f32, 3>, 3>;
+    var phi_1757_: bool;
+    var phi_1786_: bool;
+    var phi_2187_: f32;
+    var phi_2188_: f32;
+    var phi_2189_: f32;
+    var phi_2190_: f32;
+    var phi_2191_: vec3<f32>;
+    var phi_2192_: vec3<f32>;
+    var phi_2193_: vec3<f32>;
+    var phi_2194_: vec3<f32>;
+    var phi_2225_: bool;
+    var phi_2234_: vec3<f32>;
+    var phi_2399_: f32;
+    var phi_2401_: f32;
+    var phi_2402_: bool;
+    var phi_2422_: f32;
+    var phi_2423_: f32;
+    var phi_2446_: type_30;
+    var phi_2448_: type_30;
+    var phi_2449_: bool;
+    var phi_2453_: type_30;
+    var phi_2454_: type_30;
+    var phi_2455_: type_30;
+    var phi_2456_: bool;
+    var phi_2460_: type_30;
+    var phi_2461_: bool;
+    var phi_2462_: type_30;
+    var phi_2463_: bool;
+    var phi_2464_: bool;
+    var phi_2465_: type_30;
+    var phi_2466_: bool;
+    var phi_2467_: bool;
+    var phi_2475_: type_30;
+    var phi_2476_: bool;
+    var phi_2480_: type_30;
+    var phi_2503_: u32;
+    var phi_2517_: i32;
+    var phi_2537_: vec3<f32>;
+    var phi_2538_: vec3<f32>;
+    var phi_2554_: vec3<f32>;
+    var phi_2555_: vec3<f32>;
+    var phi_2571_: vec3<f32>;
+    var phi_2572_: vec3<f32>;
+    var phi_2608_: vec3<f32>;
+    var phi_2790_: f32;
+    var phi_2808_: bool;
+    var phi_2809_: bool;
+    var phi_2828_: bool;
+    var phi_2829_: bool;
+    var phi_2835_: type_47;
+    var phi_2836_: type_47;
+    var phi_2837_: type_47;
+    var phi_1505_: type_47;
+    var phi_4487_: bool;
+    var phi_4683_: bool;
+    var phi_4042_: type_47;
+    var phi_4043_: type_62;
+    var phi_4044_: bool;
+    var phi_4045_: u32;
+    var phi_4682_: bool;
+    var phi_4046_: type_47;
+    var phi_4047_: type_62;
+    var phi_4048_: u32;
+    var phi_4049_: bool;
+    var phi_4050_: u32;
+    var phi_4681_: bool;
+    var phi_4051_: type_47;
+    var phi_4052_: type_62;
+    var phi_4053_: u32;
+    var phi_4054_: bool;
+    var phi_4055_: u32;
+    var phi_4680_: bool;
+    var phi_1379_: type_47;
+    var phi_1382_: type_62;
+    var phi_1384_: u32;
+    var phi_1386_: bool;
+    var phi_1388_: u32;
+    var phi_4056_: bool;
+    var phi_4679_: bool;
     var local_10: type_47;
-    var phi_3689_: type_30;
+    var phi_4094_: f32;
+    var phi_4096_: f32;
+    var phi_4097_: bool;
+    var phi_4098_: f32;
+    var phi_4099_: bool;
+    var phi_4395_: u32;
+    var phi_4413_: bool;
+    var phi_4416_: bool;
+    var phi_4429_: f32;
+    var phi_4430_: f32;
+    var phi_4435_: f32;
+    var phi_4436_: f32;
+    var phi_4437_: bool;
+    var phi_4445_: f32;
+    var phi_4114_: f32;
+    var phi_4115_: f32;
+    var phi_4127_: f32;
+    var phi_4132_: type_30;
     var local_11: type_47;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e96 = global;
-            let _e98 = arrayLength((&global_4.member));
-            let _e100 = arrayLength((&global_5.member));
-            let _e112 = arrayLength((&global_10.member));
-            let _e116 = global_3.member[0u][0u];
-            let _e120 = global_3.member[0u][1u];
-            let _e124 = global_3.member[0u][2u];
-            let _e128 = global_3.member[0u][3u];
-            let _e132 = global_3.member[1u][0u];
-            let _e136 = global_3.member[1u][1u];
-            let _e140 = global_3.member[1u][2u];
-            let _e144 = (_e96.x + (_e96.y * 2097152u));
-            let _e156 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e128) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e116), bitcast<i32>(_e120), bitcast<i32>(_e124));
-            local = array<i32, 3>(bitcast<i32>(_e132), bitcast<i32>(_e136), bitcast<i32>(_e140));
-            let _e159 = (_e144 < arrayLength((&global_8.member)));
-            if _e159 {
-                if _e159 {
+            let _e103 = global;
+            let _e105 = arrayLength((&global_4.member));
+            let _e107 = arrayLength((&global_5.member));
+            let _e119 = arrayLength((&global_10.member));
+            let _e123 = global_3.member[0u][0u];
+            let _e127 = global_3.member[0u][1u];
+            let _e131 = global_3.member[0u][2u];
+            let _e135 = global_3.member[0u][3u];
+            let _e139 = global_3.member[1u][0u];
+            let _e143 = global_3.member[1u][1u];
+            let _e147 = global_3.member[1u][2u];
+            let _e151 = (_e103.x + (_e103.y * 2097152u));
+            let _e163 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e135) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e123), bitcast<i32>(_e127), bitcast<i32>(_e131));
+            local = array<i32, 3>(bitcast<i32>(_e139), bitcast<i32>(_e143), bitcast<i32>(_e147));
+            let _e166 = (_e151 < arrayLength((&global_8.member)));
+            if _e166 {
+                if _e166 {
                 } else {
                     break;
                 }
-                let _e163 = global_8.member[_e144].member_2;
-                phi_327_ = _e163;
+                let _e170 = global_8.member[_e151].member_2;
+                phi_410_ = _e170;
             } else {
-                phi_327_ = 4294967295u;
+                phi_410_ = 4294967295u;
             }
-            let _e165 = phi_327_;
-            let _e168 = global_1.member[0u];
-            let _e172 = global_2.member[0u][0u];
-            let _e176 = global_2.member[0u][1u];
-            let _e180 = global_2.member[0u][2u];
-            let _e184 = global_2.member[0u][3u];
-            let _e188 = global_2.member[1u][0u];
-            let _e192 = global_2.member[1u][1u];
-            let _e196 = global_2.member[1u][2u];
-            let _e200 = global_2.member[1u][3u];
-            let _e201 = bitcast<f32>(_e172);
-            let _e202 = bitcast<f32>(_e176);
-            let _e203 = bitcast<f32>(_e180);
-            let _e205 = bitcast<f32>(_e188);
-            let _e206 = array<u32, 3>(_e192, _e196, _e200);
-            let _e208 = bitcast<i32>(_e168);
-            if (_e208 < -126i) {
-                phi_371_ = -126i;
+            let _e172 = phi_410_;
+            let _e175 = global_1.member[0u];
+            let _e179 = global_2.member[0u][0u];
+            let _e183 = global_2.member[0u][1u];
+            let _e187 = global_2.member[0u][2u];
+            let _e191 = global_2.member[0u][3u];
+            let _e195 = global_2.member[1u][0u];
+            let _e199 = global_2.member[1u][1u];
+            let _e203 = global_2.member[1u][2u];
+            let _e207 = global_2.member[1u][3u];
+            let _e208 = bitcast<f32>(_e179);
+            let _e209 = bitcast<f32>(_e183);
+            let _e210 = bitcast<f32>(_e187);
+            let _e212 = bitcast<f32>(_e195);
+            let _e213 = array<u32, 3>(_e199, _e203, _e207);
+            let _e215 = bitcast<i32>(_e175);
+            if (_e215 < -126i) {
+                phi_454_ = -126i;
             } else {
-                phi_371_ = select(_e208, 127i, (_e208 > 127i));
+                phi_454_ = select(_e215, 127i, (_e215 > 127i));
             }
-            let _e213 = phi_371_;
-            let _e218 = bitcast<f32>((bitcast<u32>((_e213 + 127i)) << bitcast<u32>(23i)));
-            let _e224 = bitcast<f32>((bitcast<u32>(((_e208 - _e213) + 127i)) << bitcast<u32>(23i)));
-            if (_e184 == 0u) {
-                phi_395_ = type_44(array<f32, 3>(_e201, _e202, _e203), _e184, _e205, _e206);
+            let _e220 = phi_454_;
+            let _e225 = bitcast<f32>((bitcast<u32>((_e220 + 127i)) << bitcast<u32>(23i)));
+            let _e231 = bitcast<f32>((bitcast<u32>(((_e215 - _e220) + 127i)) << bitcast<u32>(23i)));
+            if (_e191 == 0u) {
+                phi_594_ = type_44(array<f32, 3>(_e208, _e209, _e210), _e191, _e212, _e213);
             } else {
-                phi_395_ = type_44(array<f32, 3>(((_e201 * _e218) * _e224), ((_e202 * _e218) * _e224), ((_e203 * _e218) * _e224)), _e184, ((_e205 * _e218) * _e224), _e206);
+                let _e233 = bitcast<u32>(_e208);
+                let _e235 = ((_e233 & 2139095040u) != 0u);
+                let _e250 = bitcast<u32>(_e209);
+                let _e252 = ((_e250 & 2139095040u) != 0u);
+                let _e267 = bitcast<u32>(_e210);
+                let _e269 = ((_e267 & 2139095040u) != 0u);
+                let _e285 = bitcast<u32>(_e212);
+                let _e287 = ((_e285 & 2139095040u) != 0u);
+                phi_594_ = type_44(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e233 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e233 & 2147483648u))), _e208, _e235) * _e225) * select(0.00000011920929f, 1f, _e235)) * _e231), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e250 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e250 & 2147483648u))), _e209, _e252) * _e225) * select(0.00000011920929f, 1f, _e252)) * _e231), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e267 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e267 & 2147483648u))), _e210, _e269) * _e225) * select(0.00000011920929f, 1f, _e269)) * _e231)), _e191, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e285 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e285 & 2147483648u))), _e212, _e287) * _e225) * select(0.00000011920929f, 1f, _e287)) * _e231), _e213);
             }
-            let _e237 = phi_395_;
-            if _e159 {
-                let _e238 = (_e144 < arrayLength((&global_9.member)));
-                if _e238 {
-                    if _e159 {
+            let _e304 = phi_594_;
+            if _e166 {
+                let _e305 = (_e151 < arrayLength((&global_9.member)));
+                if _e305 {
+                    if _e166 {
                     } else {
                         break;
                     }
-                    let _e248 = global_8.member[_e144].member.member_2[0u];
-                    let _e250 = (bitcast<u32>(_e248) & 2147483647u);
-                    let _e256 = global_8.member[_e144].member.member_2[1u];
-                    let _e258 = (bitcast<u32>(_e256) & 2147483647u);
-                    let _e264 = global_8.member[_e144].member.member_2[2u];
-                    let _e266 = (bitcast<u32>(_e264) & 2147483647u);
-                    let _e272 = global_8.member[_e144].member.member[0u];
-                    let _e274 = (bitcast<u32>(_e272) & 2147483647u);
-                    let _e280 = global_8.member[_e144].member.member[1u];
-                    let _e282 = (bitcast<u32>(_e280) & 2147483647u);
-                    let _e288 = global_8.member[_e144].member.member[2u];
-                    let _e290 = (bitcast<u32>(_e288) & 2147483647u);
-                    let _e292 = select(_e258, _e250, (_e258 < _e250));
-                    let _e294 = select(_e266, _e292, (_e266 < _e292));
-                    let _e296 = select(_e274, _e294, (_e274 < _e294));
-                    let _e298 = select(_e282, _e296, (_e282 < _e296));
-                    let _e300 = select(_e290, _e298, (_e290 < _e298));
-                    let _e305 = global_8.member[_e144].member.member_1;
-                    let _e307 = (bitcast<u32>(_e305) & 2147483647u);
-                    let _e315 = global_8.member[_e144].member.member_3;
-                    let _e321 = (((select(_e307, _e300, (_e307 < _e300)) < 2139095040u) && ((bitcast<u32>(_e315) & 2147483647u) <= 2139095040u)) && (_e294 > 0u));
-                    if _e321 {
-                        let _e324 = (bitcast<u32>(bitcast<f32>(_e294)) & 2147483647u);
-                        if (_e324 >= 8388608u) {
-                            phi_501_ = (bitcast<i32>((_e324 >> bitcast<u32>(23i))) - 127i);
+                    let _e315 = global_8.member[_e151].member.member_2[0u];
+                    let _e317 = (bitcast<u32>(_e315) & 2147483647u);
+                    let _e323 = global_8.member[_e151].member.member_2[1u];
+                    let _e325 = (bitcast<u32>(_e323) & 2147483647u);
+                    let _e331 = global_8.member[_e151].member.member_2[2u];
+                    let _e333 = (bitcast<u32>(_e331) & 2147483647u);
+                    let _e339 = global_8.member[_e151].member.member[0u];
+                    let _e341 = (bitcast<u32>(_e339) & 2147483647u);
+                    let _e347 = global_8.member[_e151].member.member[1u];
+                    let _e349 = (bitcast<u32>(_e347) & 2147483647u);
+                    let _e355 = global_8.member[_e151].member.member[2u];
+                    let _e357 = (bitcast<u32>(_e355) & 2147483647u);
+                    let _e359 = select(_e325, _e317, (_e325 < _e317));
+                    let _e361 = select(_e333, _e359, (_e333 < _e359));
+                    let _e363 = select(_e341, _e361, (_e341 < _e361));
+                    let _e365 = select(_e349, _e363, (_e349 < _e363));
+                    let _e367 = select(_e357, _e365, (_e357 < _e365));
+                    let _e372 = global_8.member[_e151].member.member_1;
+                    let _e373 = bitcast<u32>(_e372);
+                    let _e374 = (_e373 & 2147483647u);
+                    let _e382 = global_8.member[_e151].member.member_3;
+                    let _e383 = bitcast<u32>(_e382);
+                    let _e384 = (_e383 & 2147483647u);
+                    let _e388 = (((select(_e374, _e367, (_e374 < _e367)) < 2139095040u) && (_e384 <= 2139095040u)) && (_e361 > 0u));
+                    if _e388 {
+                        let _e391 = (bitcast<u32>(bitcast<f32>(_e361)) & 2147483647u);
+                        if (_e391 >= 8388608u) {
+                            phi_700_ = (bitcast<i32>((_e391 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_501_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e324)), 32u, (_e324 == 0u))));
+                            phi_700_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e391)), 32u, (_e391 == 0u))));
                         }
-                        let _e338 = phi_501_;
-                        phi_502_ = _e338;
+                        let _e405 = phi_700_;
+                        phi_701_ = _e405;
                     } else {
-                        phi_502_ = 0i;
+                        phi_701_ = 0i;
                     }
-                    let _e340 = phi_502_;
-                    let _e341 = (_e250 == _e294);
-                    if _e341 {
-                        phi_512_ = true;
+                    let _e407 = phi_701_;
+                    let _e408 = (_e317 == _e361);
+                    if _e408 {
+                        phi_711_ = true;
                     } else {
-                        phi_512_ = (_e258 == _e294);
+                        phi_711_ = (_e325 == _e361);
                     }
-                    let _e344 = phi_512_;
-                    let _e345 = select(1u, 0u, _e341);
-                    if _e344 {
-                        let _e346 = (_e345 + 1u);
-                        phi_522_ = _e346;
-                        phi_523_ = _e346;
-                        phi_525_ = select(true, false, (_e346 == 2u));
+                    let _e411 = phi_711_;
+                    let _e412 = select(1u, 0u, _e408);
+                    if _e411 {
+                        let _e413 = (_e412 + 1u);
+                        phi_721_ = _e413;
+                        phi_722_ = _e413;
+                        phi_724_ = select(true, false, (_e413 == 2u));
                     } else {
-                        phi_522_ = u32();
-                        phi_523_ = 0u;
-                        phi_525_ = true;
+                        phi_721_ = u32();
+                        phi_722_ = 0u;
+                        phi_724_ = true;
                     }
-                    let _e350 = phi_522_;
-                    let _e352 = phi_523_;
-                    let _e354 = phi_525_;
-                    if _e354 {
-                        phi_530_ = (_e352 + 1u);
+                    let _e417 = phi_721_;
+                    let _e419 = phi_722_;
+                    let _e421 = phi_724_;
+                    if _e421 {
+                        phi_729_ = (_e419 + 1u);
                     } else {
-                        phi_530_ = 0u;
+                        phi_729_ = 0u;
                     }
-                    let _e358 = phi_530_;
-                    let _e359 = select(_e350, _e352, _e354);
-                    let _e360 = select(_e345, select(2u, _e345, _e344), _e354);
-                    let _e361 = -(_e340);
-                    if (_e361 < -126i) {
-                        phi_562_ = -126i;
+                    let _e425 = phi_729_;
+                    let _e426 = select(_e417, _e419, _e421);
+                    let _e427 = select(_e412, select(2u, _e412, _e411), _e421);
+                    let _e428 = -(_e407);
+                    if (_e428 < -126i) {
+                        phi_761_ = -126i;
                     } else {
-                        phi_562_ = select(_e361, 127i, (_e361 > 127i));
+                        phi_761_ = select(_e428, 127i, (_e428 > 127i));
                     }
-                    let _e366 = phi_562_;
-                    let _e371 = bitcast<f32>((bitcast<u32>((_e366 + 127i)) << bitcast<u32>(23i)));
-                    let _e377 = bitcast<f32>((bitcast<u32>(((_e361 - _e366) + 127i)) << bitcast<u32>(23i)));
-                    let _e382 = global_8.member[_e144].member.member;
-                    let _e383 = (_e359 == 0u);
-                    if _e383 {
-                        phi_580_ = _e382[0];
+                    let _e433 = phi_761_;
+                    let _e438 = bitcast<f32>((bitcast<u32>((_e433 + 127i)) << bitcast<u32>(23i)));
+                    let _e444 = bitcast<f32>((bitcast<u32>(((_e428 - _e433) + 127i)) << bitcast<u32>(23i)));
+                    let _e449 = global_8.member[_e151].member.member;
+                    let _e450 = (_e426 == 0u);
+                    if _e450 {
+                        phi_779_ = _e449[0];
                     } else {
-                        phi_580_ = _e382[1];
+                        phi_779_ = _e449[1];
                     }
-                    let _e387 = phi_580_;
-                    let _e388 = (_e359 == 2u);
-                    if _e388 {
-                        phi_586_ = _e382[2];
+                    let _e454 = phi_779_;
+                    let _e455 = (_e426 == 2u);
+                    if _e455 {
+                        phi_785_ = _e449[2];
                     } else {
-                        phi_586_ = _e387;
+                        phi_785_ = _e454;
                     }
-                    let _e391 = phi_586_;
-                    let _e392 = global_8.member[_e144].member.member_2;
-                    if _e383 {
-                        phi_597_ = _e392[0];
+                    let _e458 = phi_785_;
+                    let _e459 = bitcast<u32>(_e458);
+                    let _e461 = ((_e459 & 2139095040u) != 0u);
+                    let _e473 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e459 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e459 & 2147483648u))), _e458, _e461) * select(0.00000011920929f, 1f, _e461));
+                    let _e474 = global_8.member[_e151].member.member_2;
+                    if _e450 {
+                        phi_825_ = _e474[0];
                     } else {
-                        phi_597_ = _e392[1];
+                        phi_825_ = _e474[1];
                     }
-                    let _e396 = phi_597_;
-                    if _e388 {
-                        phi_603_ = _e392[2];
+                    let _e478 = phi_825_;
+                    if _e455 {
+                        phi_831_ = _e474[2];
                     } else {
-                        phi_603_ = _e396;
+                        phi_831_ = _e478;
                     }
-                    let _e399 = phi_603_;
-                    let _e401 = ((_e399 * _e371) * _e377);
-                    let _e405 = (bitcast<f32>((bitcast<u32>(_e401) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e405 {
-                        let _e409 = (bitcast<f32>((bitcast<u32>(_e391) & 2147483647u)) * 0.00000011920929f);
-                        phi_626_ = select(0.00000000000011368684f, _e409, (_e409 > 0.00000000000011368684f));
+                    let _e481 = phi_831_;
+                    let _e482 = bitcast<u32>(_e481);
+                    let _e484 = ((_e482 & 2139095040u) != 0u);
+                    let _e498 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e482 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e482 & 2147483648u))), _e481, _e484) * _e438) * select(0.00000011920929f, 1f, _e484)) * _e444);
+                    let _e502 = (bitcast<f32>((bitcast<u32>(_e498) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e502 {
+                        let _e506 = (bitcast<f32>((bitcast<u32>(_e473) & 2147483647u)) * 0.00000011920929f);
+                        phi_883_ = select(0.00000000000011368684f, _e506, (_e506 > 0.00000000000011368684f));
                     } else {
-                        phi_626_ = 0f;
+                        phi_883_ = 0f;
                     }
-                    let _e413 = phi_626_;
-                    let _e414 = (_e391 + _e413);
-                    let _e415 = (_e391 - _e413);
-                    let _e416 = select(_e401, 0f, _e405);
-                    if _e405 {
-                        phi_637_ = 38685626000000000000000000f;
+                    let _e510 = phi_883_;
+                    let _e511 = (_e473 + _e510);
+                    let _e512 = (_e473 - _e510);
+                    let _e513 = select(_e498, 0f, _e502);
+                    if _e502 {
+                        phi_894_ = 38685626000000000000000000f;
                     } else {
-                        phi_637_ = (1f / _e401);
+                        phi_894_ = (1f / _e498);
                     }
-                    let _e419 = phi_637_;
-                    let _e420 = (_e358 == 0u);
-                    if _e420 {
-                        phi_646_ = _e382[0];
+                    let _e516 = phi_894_;
+                    let _e517 = (_e425 == 0u);
+                    if _e517 {
+                        phi_903_ = _e449[0];
                     } else {
-                        phi_646_ = _e382[1];
+                        phi_903_ = _e449[1];
                     }
-                    let _e424 = phi_646_;
-                    let _e425 = (_e358 == 2u);
-                    if _e425 {
-                        phi_652_ = _e382[2];
+                    let _e521 = phi_903_;
+                    let _e522 = (_e425 == 2u);
+                    if _e522 {
+                        phi_909_ = _e449[2];
                     } else {
-                        phi_652_ = _e424;
+                        phi_909_ = _e521;
                     }
-                    let _e428 = phi_652_;
-                    if _e420 {
-                        phi_663_ = _e392[0];
+                    let _e525 = phi_909_;
+                    let _e526 = bitcast<u32>(_e525);
+                    let _e528 = ((_e526 & 2139095040u) != 0u);
+                    let _e540 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e526 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e526 & 2147483648u))), _e525, _e528) * select(0.00000011920929f, 1f, _e528));
+                    if _e517 {
+                        phi_949_ = _e474[0];
                     } else {
-                        phi_663_ = _e392[1];
+                        phi_949_ = _e474[1];
                     }
-                    let _e432 = phi_663_;
-                    if _e425 {
-                        phi_669_ = _e392[2];
+                    let _e544 = phi_949_;
+                    if _e522 {
+                        phi_955_ = _e474[2];
                     } else {
-                        phi_669_ = _e432;
+                        phi_955_ = _e544;
                     }
-                    let _e435 = phi_669_;
-                    let _e437 = ((_e435 * _e371) * _e377);
-                    let _e441 = (bitcast<f32>((bitcast<u32>(_e437) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e441 {
-                        let _e445 = (bitcast<f32>((bitcast<u32>(_e428) & 2147483647u)) * 0.00000011920929f);
-                        phi_692_ = select(0.00000000000011368684f, _e445, (_e445 > 0.00000000000011368684f));
+                    let _e547 = phi_955_;
+                    let _e548 = bitcast<u32>(_e547);
+                    let _e550 = ((_e548 & 2139095040u) != 0u);
+                    let _e564 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e548 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e548 & 2147483648u))), _e547, _e550) * _e438) * select(0.00000011920929f, 1f, _e550)) * _e444);
+                    let _e568 = (bitcast<f32>((bitcast<u32>(_e564) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e568 {
+                        let _e572 = (bitcast<f32>((bitcast<u32>(_e540) & 2147483647u)) * 0.00000011920929f);
+                        phi_1007_ = select(0.00000000000011368684f, _e572, (_e572 > 0.00000000000011368684f));
                     } else {
-                        phi_692_ = 0f;
+                        phi_1007_ = 0f;
                     }
-                    let _e449 = phi_692_;
-                    let _e450 = (_e428 + _e449);
-                    let _e451 = (_e428 - _e449);
-                    let _e452 = select(_e437, 0f, _e441);
-                    if _e441 {
-                        phi_703_ = 38685626000000000000000000f;
+                    let _e576 = phi_1007_;
+                    let _e577 = (_e540 + _e576);
+                    let _e578 = (_e540 - _e576);
+                    let _e579 = select(_e564, 0f, _e568);
+                    if _e568 {
+                        phi_1018_ = 38685626000000000000000000f;
                     } else {
-                        phi_703_ = (1f / _e437);
+                        phi_1018_ = (1f / _e564);
                     }
-                    let _e455 = phi_703_;
-                    let _e456 = (_e360 == 0u);
-                    if _e456 {
-                        phi_712_ = _e382[0];
+                    let _e582 = phi_1018_;
+                    let _e583 = (_e427 == 0u);
+                    if _e583 {
+                        phi_1027_ = _e449[0];
                     } else {
-                        phi_712_ = _e382[1];
+                        phi_1027_ = _e449[1];
                     }
-                    let _e460 = phi_712_;
-                    let _e461 = (_e360 == 2u);
-                    if _e461 {
-                        phi_718_ = _e382[2];
+                    let _e587 = phi_1027_;
+                    let _e588 = (_e427 == 2u);
+                    if _e588 {
+                        phi_1033_ = _e449[2];
                     } else {
-                        phi_718_ = _e460;
+                        phi_1033_ = _e587;
                     }
-                    let _e464 = phi_718_;
-                    if _e456 {
-                        phi_729_ = _e392[0];
+                    let _e591 = phi_1033_;
+                    let _e592 = bitcast<u32>(_e591);
+                    let _e594 = ((_e592 & 2139095040u) != 0u);
+                    let _e606 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e592 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e592 & 2147483648u))), _e591, _e594) * select(0.00000011920929f, 1f, _e594));
+                    if _e583 {
+                        phi_1073_ = _e474[0];
                     } else {
-                        phi_729_ = _e392[1];
+                        phi_1073_ = _e474[1];
                     }
-                    let _e468 = phi_729_;
-                    if _e461 {
-                        phi_735_ = _e392[2];
+                    let _e610 = phi_1073_;
+                    if _e588 {
+                        phi_1079_ = _e474[2];
                     } else {
-                        phi_735_ = _e468;
+                        phi_1079_ = _e610;
                     }
-                    let _e471 = phi_735_;
-                    let _e473 = ((_e471 * _e371) * _e377);
-                    let _e477 = (bitcast<f32>((bitcast<u32>(_e473) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e477 {
-                        let _e481 = (bitcast<f32>((bitcast<u32>(_e464) & 2147483647u)) * 0.00000011920929f);
-                        phi_758_ = select(0.00000000000011368684f, _e481, (_e481 > 0.00000000000011368684f));
+                    let _e613 = phi_1079_;
+                    let _e614 = bitcast<u32>(_e613);
+                    let _e616 = ((_e614 & 2139095040u) != 0u);
+                    let _e630 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e614 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e614 & 2147483648u))), _e613, _e616) * _e438) * select(0.00000011920929f, 1f, _e616)) * _e444);
+                    let _e634 = (bitcast<f32>((bitcast<u32>(_e630) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e634 {
+                        let _e638 = (bitcast<f32>((bitcast<u32>(_e606) & 2147483647u)) * 0.00000011920929f);
+                        phi_1131_ = select(0.00000000000011368684f, _e638, (_e638 > 0.00000000000011368684f));
                     } else {
-                        phi_758_ = 0f;
+                        phi_1131_ = 0f;
                     }
-                    let _e485 = phi_758_;
-                    let _e486 = (_e464 + _e485);
-                    let _e487 = (_e464 - _e485);
-                    let _e488 = select(_e473, 0f, _e477);
-                    if _e477 {
-                        phi_769_ = 38685626000000000000000000f;
+                    let _e642 = phi_1131_;
+                    let _e643 = (_e606 + _e642);
+                    let _e644 = (_e606 - _e642);
+                    let _e645 = select(_e630, 0f, _e634);
+                    if _e634 {
+                        phi_1142_ = 38685626000000000000000000f;
                     } else {
-                        phi_769_ = (1f / _e473);
+                        phi_1142_ = (1f / _e630);
                     }
-                    let _e491 = phi_769_;
-                    let _e494 = bitcast<f32>((bitcast<u32>(_e391) & 2147483647u));
-                    let _e497 = bitcast<f32>((bitcast<u32>(_e428) & 2147483647u));
-                    let _e499 = select(_e497, _e494, (_e494 > _e497));
-                    let _e502 = bitcast<f32>((bitcast<u32>(_e464) & 2147483647u));
-                    if (_e321 && (select(_e502, _e499, (_e499 > _e502)) <= 1099511600000f)) {
-                        let _e507 = (_e340 / 3i);
-                        let _e514 = bitcast<f32>((bitcast<u32>((_e507 + 127i)) << bitcast<u32>(23i)));
-                        let _e521 = bitcast<f32>((bitcast<u32>(((_e340 - (2i * _e507)) + 127i)) << bitcast<u32>(23i)));
-                        let _e522 = (((_e305 * _e514) * _e514) * _e521);
-                        let _e524 = select(340282350000000000000000000000000000000f, _e522, (_e522 < 340282350000000000000000000000000000000f));
-                        let _e529 = (((_e315 * _e514) * _e514) * _e521);
-                        let _e531 = select(340282350000000000000000000000000000000f, _e529, (_e529 < 340282350000000000000000000000000000000f));
-                        phi_869_ = select(-340282350000000000000000000000000000000f, _e531, (_e531 > -340282350000000000000000000000000000000f));
-                        phi_870_ = select(-340282350000000000000000000000000000000f, _e524, (_e524 > -340282350000000000000000000000000000000f));
+                    let _e648 = phi_1142_;
+                    let _e651 = bitcast<f32>((bitcast<u32>(_e473) & 2147483647u));
+                    let _e654 = bitcast<f32>((bitcast<u32>(_e540) & 2147483647u));
+                    let _e656 = select(_e654, _e651, (_e651 > _e654));
+                    let _e659 = bitcast<f32>((bitcast<u32>(_e606) & 2147483647u));
+                    if (_e388 && (select(_e659, _e656, (_e656 > _e659)) <= 1099511600000f)) {
+                        let _e671 = ((_e374 & 8388607u) | (select(0u, 1u, ((_e374 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e674 = bitcast<i32>((_e374 >> bitcast<u32>(23i)));
+                        let _e678 = (_e671 == 0u);
+                        let _e681 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e671)), 32u, _e678)) - 8i);
+                        if (_e674 == 255i) {
+                            phi_1197_ = 255i;
+                        } else {
+                            phi_1197_ = (((_e674 + select(0i, 1i, (_e674 == 0i))) - _e681) + _e407);
+                        }
+                        let _e689 = phi_1197_;
+                        let _e699 = (_e689 <= 0i);
+                        if _e699 {
+                            phi_1220_ = u32();
+                        } else {
+                            if _e678 {
+                                phi_1219_ = u32();
+                            } else {
+                                phi_1219_ = select(((bitcast<u32>(_e689) << bitcast<u32>(23i)) | ((_e671 << bitcast<u32>(((_e681 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e689 >= 255i));
+                            }
+                            let _e703 = phi_1219_;
+                            phi_1220_ = _e703;
+                        }
+                        let _e705 = phi_1220_;
+                        let _e717 = ((_e384 & 8388607u) | (select(0u, 1u, ((_e384 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e720 = bitcast<i32>((_e384 >> bitcast<u32>(23i)));
+                        let _e724 = (_e717 == 0u);
+                        let _e727 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e717)), 32u, _e724)) - 8i);
+                        if (_e720 == 255i) {
+                            phi_1257_ = 255i;
+                        } else {
+                            phi_1257_ = (((_e720 + select(0i, 1i, (_e720 == 0i))) - _e727) + _e407);
+                        }
+                        let _e735 = phi_1257_;
+                        let _e745 = (_e735 <= 0i);
+                        if _e745 {
+                            phi_1280_ = u32();
+                        } else {
+                            if _e724 {
+                                phi_1279_ = u32();
+                            } else {
+                                phi_1279_ = select(((bitcast<u32>(_e735) << bitcast<u32>(23i)) | ((_e717 << bitcast<u32>(((_e727 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e735 >= 255i));
+                            }
+                            let _e749 = phi_1279_;
+                            phi_1280_ = _e749;
+                        }
+                        let _e751 = phi_1280_;
+                        phi_1288_ = bitcast<f32>(((_e383 & 2147483648u) | select(_e751, 0u, select(_e724, true, _e745))));
+                        phi_1289_ = bitcast<f32>(((_e373 & 2147483648u) | select(_e705, 0u, select(_e678, true, _e699))));
                     } else {
-                        phi_869_ = 0f;
-                        phi_870_ = 1f;
+                        phi_1288_ = 0f;
+                        phi_1289_ = 1f;
                     }
-                    let _e535 = phi_869_;
-                    let _e537 = phi_870_;
+                    let _e757 = phi_1288_;
+                    let _e759 = phi_1289_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -574,1081 +662,1180 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e541 = (_e359 % 3u);
-                    let _e542 = (_e541 < 3u);
-                    if _e542 {
+                    let _e763 = (_e426 % 3u);
+                    let _e764 = (_e763 < 3u);
+                    if _e764 {
                     } else {
                         break;
                     }
-                    let _e544 = local_1[_e541];
-                    let _e547 = (_e358 % 3u);
-                    let _e548 = (_e547 < 3u);
-                    if _e548 {
+                    let _e766 = local_1[_e763];
+                    let _e769 = (_e425 % 3u);
+                    let _e770 = (_e769 < 3u);
+                    if _e770 {
                     } else {
                         break;
                     }
-                    let _e550 = local_1[_e547];
-                    let _e553 = (_e360 % 3u);
-                    let _e554 = (_e553 < 3u);
-                    if _e554 {
+                    let _e772 = local_1[_e769];
+                    let _e775 = (_e427 % 3u);
+                    let _e776 = (_e775 < 3u);
+                    if _e776 {
                     } else {
                         break;
                     }
-                    let _e556 = local_1[_e553];
-                    if _e542 {
+                    let _e778 = local_1[_e775];
+                    if _e764 {
                     } else {
                         break;
                     }
-                    let _e561 = local[_e541];
-                    if _e548 {
+                    let _e783 = local[_e763];
+                    if _e770 {
                     } else {
                         break;
                     }
-                    let _e565 = local[_e547];
-                    if _e554 {
+                    let _e787 = local[_e769];
+                    if _e776 {
                     } else {
                         break;
                     }
-                    let _e569 = local[_e553];
-                    phi_3968_ = false;
-                    phi_959_ = type_47(type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e535);
-                    phi_962_ = type_62(type_42(vec4<f32>((f32(_e544) * _e156), (f32(_e550) * _e156), (f32(_e556) * _e156), 0f), vec4<f32>((f32(_e561) * _e156), (f32(_e565) * _e156), (f32(_e569) * _e156), 0f)), select(0u, 2147483648u, (_e98 == 0u)));
-                    phi_964_ = ((3u * _e98) + 1u);
-                    phi_966_ = (_e537 <= _e535);
-                    phi_968_ = 0u;
+                    let _e791 = local[_e775];
+                    phi_4493_ = false;
+                    phi_1378_ = type_47(type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e757);
+                    phi_1381_ = type_62(type_42(vec4<f32>((f32(_e766) * _e163), (f32(_e772) * _e163), (f32(_e778) * _e163), 0f), vec4<f32>((f32(_e783) * _e163), (f32(_e787) * _e163), (f32(_e791) * _e163), 0f)), select(0u, 2147483648u, (_e105 == 0u)));
+                    phi_1383_ = ((3u * _e105) + 1u);
+                    phi_1385_ = (_e759 <= _e757);
+                    phi_1387_ = 0u;
                     loop {
-                        let _e579 = phi_3968_;
-                        let _e581 = phi_959_;
-                        let _e583 = phi_962_;
-                        let _e585 = phi_964_;
-                        let _e587 = phi_966_;
-                        let _e589 = phi_968_;
-                        local_10 = _e581;
-                        if _e587 {
-                            phi_979_ = true;
+                        let _e801 = phi_4493_;
+                        let _e803 = phi_1378_;
+                        let _e805 = phi_1381_;
+                        let _e807 = phi_1383_;
+                        let _e809 = phi_1385_;
+                        let _e811 = phi_1387_;
+                        local_10 = _e803;
+                        if _e809 {
+                            phi_1398_ = true;
                         } else {
-                            phi_979_ = (_e589 > 0u);
+                            phi_1398_ = (_e811 > 0u);
                         }
-                        let _e592 = phi_979_;
-                        if _e592 {
-                            let _e593 = (_e585 > 0u);
-                            if _e593 {
-                                if _e587 {
-                                    phi_1065_ = _e583;
-                                    phi_1066_ = _e587;
-                                    phi_1067_ = _e589;
+                        let _e814 = phi_1398_;
+                        if _e814 {
+                            let _e815 = (_e807 > 0u);
+                            if _e815 {
+                                if _e809 {
+                                    phi_1484_ = _e805;
+                                    phi_1485_ = _e809;
+                                    phi_1486_ = _e811;
                                 } else {
-                                    let _e594 = (_e589 - 1u);
-                                    let _e595 = (_e594 % 128u);
-                                    let _e596 = (_e595 < 128u);
-                                    if _e596 {
+                                    let _e816 = (_e811 - 1u);
+                                    let _e817 = (_e816 % 128u);
+                                    let _e818 = (_e817 < 128u);
+                                    if _e818 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e598 = local_7[_e595];
-                                    if _e596 {
+                                    let _e820 = local_7[_e817];
+                                    if _e818 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e600 = local_6[_e595];
-                                    if _e596 {
+                                    let _e822 = local_6[_e817];
+                                    if _e818 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e602 = local_5[_e595];
-                                    if _e596 {
+                                    let _e824 = local_5[_e817];
+                                    if _e818 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e604 = local_4[_e595];
-                                    if _e596 {
+                                    let _e826 = local_4[_e817];
+                                    if _e818 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e606 = local_3[_e595];
-                                    if _e596 {
+                                    let _e828 = local_3[_e817];
+                                    if _e818 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e608 = local_2[_e595];
-                                    if _e596 {
+                                    let _e830 = local_2[_e817];
+                                    if _e818 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e613 = local_8[_e595];
-                                    if _e596 {
+                                    let _e835 = local_8[_e817];
+                                    if _e818 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e616 = local_9[_e595];
-                                    phi_1065_ = type_62(type_42(vec4<f32>(_e598, _e600, _e602, 0f), vec4<f32>(_e604, _e606, _e608, 0f)), _e613);
-                                    phi_1066_ = (_e616 <= _e581.member_1);
-                                    phi_1067_ = _e594;
+                                    let _e838 = local_9[_e817];
+                                    phi_1484_ = type_62(type_42(vec4<f32>(_e820, _e822, _e824, 0f), vec4<f32>(_e826, _e828, _e830, 0f)), _e835);
+                                    phi_1485_ = (_e838 <= _e803.member_1);
+                                    phi_1486_ = _e816;
                                 }
-                                let _e620 = phi_1065_;
-                                let _e622 = phi_1066_;
-                                let _e624 = phi_1067_;
-                                if _e622 {
-                                    if ((_e620.member_1 & 2147483648u) != 0u) {
-                                        phi_1085_ = _e581;
-                                        phi_1088_ = type_8(0u, ((_e620.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e842 = phi_1484_;
+                                let _e844 = phi_1485_;
+                                let _e846 = phi_1486_;
+                                if _e844 {
+                                    if ((_e842.member_1 & 2147483648u) != 0u) {
+                                        phi_1504_ = _e803;
+                                        phi_1507_ = type_8(0u, ((_e842.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1068 = phi_1085_;
-                                            let _e1070 = phi_1088_;
-                                            local_11 = _e1068;
-                                            if (_e1070.member < _e1070.member_1) {
-                                                phi_1089_ = type_8((_e1070.member + 1u), _e1070.member_1);
-                                                phi_1111_ = type_8(1u, _e1070.member);
+                                            let _e1296 = phi_1504_;
+                                            let _e1298 = phi_1507_;
+                                            local_11 = _e1296;
+                                            if (_e1298.member < _e1298.member_1) {
+                                                phi_1508_ = type_8((_e1298.member + 1u), _e1298.member_1);
+                                                phi_1530_ = type_8(1u, _e1298.member);
                                             } else {
-                                                phi_1089_ = _e1070;
-                                                phi_1111_ = type_8(0u, type_8().member_1);
+                                                phi_1508_ = _e1298;
+                                                phi_1530_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1083 = phi_1089_;
-                                            let _e1085 = phi_1111_;
-                                            let _e1089 = (bitcast<i32>(_e1085.member) != 0i);
-                                            if _e1089 {
-                                                let _e1090 = ((_e620.member_1 & 268435455u) + _e1085.member_1);
-                                                let _e1091 = (_e1090 < _e100);
-                                                if _e1091 {
-                                                    if _e1091 {
+                                            let _e1311 = phi_1508_;
+                                            let _e1313 = phi_1530_;
+                                            let _e1317 = (bitcast<i32>(_e1313.member) != 0i);
+                                            if _e1317 {
+                                                let _e1318 = ((_e842.member_1 & 268435455u) + _e1313.member_1);
+                                                let _e1319 = (_e1318 < _e107);
+                                                if _e1319 {
+                                                    if _e1319 {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1095 = global_5.member[_e1090].member_1;
-                                                    phi_1132_ = _e1095;
+                                                    let _e1323 = global_5.member[_e1318].member_1;
+                                                    phi_1551_ = _e1323;
                                                 } else {
-                                                    phi_1132_ = 4294967295u;
+                                                    phi_1551_ = 4294967295u;
                                                 }
-                                                let _e1097 = phi_1132_;
-                                                if (_e1090 >= _e100) {
-                                                    phi_1221_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1325 = phi_1551_;
+                                                if (_e1318 >= _e107) {
+                                                    phi_1640_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1091 {
+                                                    if _e1319 {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    if (_e541 < 9u) {
+                                                    if (_e763 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1104 = global_5.member[_e1090].member[_e541];
-                                                    if (_e547 < 9u) {
+                                                    let _e1332 = global_5.member[_e1318].member[_e763];
+                                                    if (_e769 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1110 = global_5.member[_e1090].member[_e547];
-                                                    if (_e553 < 9u) {
+                                                    let _e1338 = global_5.member[_e1318].member[_e769];
+                                                    if (_e775 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1116 = global_5.member[_e1090].member[_e553];
-                                                    let _e1118 = (3u + _e541);
-                                                    if (_e1118 < 9u) {
+                                                    let _e1344 = global_5.member[_e1318].member[_e775];
+                                                    let _e1346 = (3u + _e763);
+                                                    if (_e1346 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1124 = global_5.member[_e1090].member[_e1118];
-                                                    let _e1125 = (3u + _e547);
-                                                    if (_e1125 < 9u) {
+                                                    let _e1352 = global_5.member[_e1318].member[_e1346];
+                                                    let _e1353 = (3u + _e769);
+                                                    if (_e1353 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1131 = global_5.member[_e1090].member[_e1125];
-                                                    let _e1132 = (3u + _e553);
-                                                    if (_e1132 < 9u) {
+                                                    let _e1359 = global_5.member[_e1318].member[_e1353];
+                                                    let _e1360 = (3u + _e775);
+                                                    if (_e1360 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1138 = global_5.member[_e1090].member[_e1132];
-                                                    let _e1140 = (6u + _e541);
-                                                    if (_e1140 < 9u) {
+                                                    let _e1366 = global_5.member[_e1318].member[_e1360];
+                                                    let _e1368 = (6u + _e763);
+                                                    if (_e1368 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1146 = global_5.member[_e1090].member[_e1140];
-                                                    let _e1147 = (6u + _e547);
-                                                    if (_e1147 < 9u) {
+                                                    let _e1374 = global_5.member[_e1318].member[_e1368];
+                                                    let _e1375 = (6u + _e769);
+                                                    if (_e1375 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1153 = global_5.member[_e1090].member[_e1147];
-                                                    let _e1154 = (6u + _e553);
-                                                    if (_e1154 < 9u) {
+                                                    let _e1381 = global_5.member[_e1318].member[_e1375];
+                                                    let _e1382 = (6u + _e775);
+                                                    if (_e1382 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1160 = global_5.member[_e1090].member[_e1154];
-                                                    phi_1221_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1104, _e1110, _e1116), array<f32, 3>(_e1124, _e1131, _e1138), array<f32, 3>(_e1146, _e1153, _e1160));
+                                                    let _e1388 = global_5.member[_e1318].member[_e1382];
+                                                    phi_1640_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1332, _e1338, _e1344), array<f32, 3>(_e1352, _e1359, _e1366), array<f32, 3>(_e1374, _e1381, _e1388));
                                                 }
-                                                let _e1164 = phi_1221_;
-                                                let _e1172 = (_e1164[0][2] - _e464);
-                                                let _e1175 = (((_e1164[0][0] - _e391) * _e488) - (_e1172 * _e416));
-                                                let _e1178 = (((_e1164[0][1] - _e428) * _e488) - (_e1172 * _e452));
-                                                let _e1185 = (_e1164[1][2] - _e464);
-                                                let _e1188 = (((_e1164[1][0] - _e391) * _e488) - (_e1185 * _e416));
-                                                let _e1191 = (((_e1164[1][1] - _e428) * _e488) - (_e1185 * _e452));
-                                                let _e1198 = (_e1164[2][2] - _e464);
-                                                let _e1201 = (((_e1164[2][0] - _e391) * _e488) - (_e1198 * _e416));
-                                                let _e1204 = (((_e1164[2][1] - _e428) * _e488) - (_e1198 * _e452));
-                                                let _e1205 = (_e1201 * _e1191);
-                                                let _e1206 = (_e1204 * _e1188);
-                                                let _e1207 = (_e1175 * _e1204);
-                                                let _e1208 = (_e1178 * _e1201);
-                                                let _e1209 = (_e1188 * _e1178);
-                                                let _e1210 = (_e1191 * _e1175);
-                                                let _e1215 = (((_e1205 >= _e1206) && (_e1207 >= _e1208)) && (_e1209 >= _e1210));
-                                                if (_e1215 || (((_e1205 <= _e1206) && (_e1207 <= _e1208)) && (_e1209 <= _e1210))) {
-                                                    let _e1222 = select(-1f, 1f, _e1215);
-                                                    let _e1224 = ((_e1205 - _e1206) * _e1222);
-                                                    let _e1226 = select(0f, _e1224, (_e1224 > 0f));
-                                                    let _e1228 = ((_e1207 - _e1208) * _e1222);
-                                                    let _e1230 = select(0f, _e1228, (_e1228 > 0f));
-                                                    let _e1232 = ((_e1209 - _e1210) * _e1222);
-                                                    let _e1234 = select(0f, _e1232, (_e1232 > 0f));
-                                                    let _e1236 = ((_e1226 + _e1230) + _e1234);
-                                                    if (_e1236 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2046_ = type_30();
-                                                        phi_2047_ = true;
-                                                        phi_2048_ = false;
+                                                let _e1392 = phi_1640_;
+                                                let _e1400 = (_e1392[0][2] - _e606);
+                                                let _e1403 = (((_e1392[0][0] - _e473) * _e645) - (_e1400 * _e513));
+                                                let _e1406 = (((_e1392[0][1] - _e540) * _e645) - (_e1400 * _e579));
+                                                let _e1413 = (_e1392[1][2] - _e606);
+                                                let _e1416 = (((_e1392[1][0] - _e473) * _e645) - (_e1413 * _e513));
+                                                let _e1419 = (((_e1392[1][1] - _e540) * _e645) - (_e1413 * _e579));
+                                                let _e1426 = (_e1392[2][2] - _e606);
+                                                let _e1429 = (((_e1392[2][0] - _e473) * _e645) - (_e1426 * _e513));
+                                                let _e1432 = (((_e1392[2][1] - _e540) * _e645) - (_e1426 * _e579));
+                                                let _e1433 = (_e1429 * _e1419);
+                                                let _e1434 = (_e1432 * _e1416);
+                                                let _e1435 = (_e1403 * _e1432);
+                                                let _e1436 = (_e1406 * _e1429);
+                                                let _e1437 = (_e1416 * _e1406);
+                                                let _e1438 = (_e1419 * _e1403);
+                                                let _e1443 = (((_e1433 >= _e1434) && (_e1435 >= _e1436)) && (_e1437 >= _e1438));
+                                                if (_e1443 || (((_e1433 <= _e1434) && (_e1435 <= _e1436)) && (_e1437 <= _e1438))) {
+                                                    let _e1450 = select(-1f, 1f, _e1443);
+                                                    let _e1452 = ((_e1433 - _e1434) * _e1450);
+                                                    let _e1454 = select(0f, _e1452, (_e1452 > 0f));
+                                                    let _e1456 = ((_e1435 - _e1436) * _e1450);
+                                                    let _e1458 = select(0f, _e1456, (_e1456 > 0f));
+                                                    let _e1460 = ((_e1437 - _e1438) * _e1450);
+                                                    let _e1462 = select(0f, _e1460, (_e1460 > 0f));
+                                                    let _e1464 = ((_e1454 + _e1458) + _e1462);
+                                                    if (_e1464 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2465_ = type_30();
+                                                        phi_2466_ = true;
+                                                        phi_2467_ = false;
                                                     } else {
-                                                        let _e1239 = select(_e1188, _e1175, (_e1175 < _e1188));
-                                                        if (select(_e1201, _e1239, (_e1239 < _e1201)) > 0f) {
-                                                            phi_1338_ = true;
+                                                        let _e1467 = select(_e1416, _e1403, (_e1403 < _e1416));
+                                                        if (select(_e1429, _e1467, (_e1467 < _e1429)) > 0f) {
+                                                            phi_1757_ = true;
                                                         } else {
-                                                            let _e1244 = select(_e1188, _e1175, (_e1175 > _e1188));
-                                                            phi_1338_ = (select(_e1201, _e1244, (_e1244 > _e1201)) < 0f);
+                                                            let _e1472 = select(_e1416, _e1403, (_e1403 > _e1416));
+                                                            phi_1757_ = (select(_e1429, _e1472, (_e1472 > _e1429)) < 0f);
                                                         }
-                                                        let _e1249 = phi_1338_;
-                                                        if _e1249 {
-                                                            phi_2043_ = type_30();
-                                                            phi_2044_ = true;
-                                                            phi_2045_ = false;
+                                                        let _e1477 = phi_1757_;
+                                                        if _e1477 {
+                                                            phi_2462_ = type_30();
+                                                            phi_2463_ = true;
+                                                            phi_2464_ = false;
                                                         } else {
-                                                            let _e1251 = select(_e1191, _e1178, (_e1178 < _e1191));
-                                                            if (select(_e1204, _e1251, (_e1251 < _e1204)) > 0f) {
-                                                                phi_1367_ = true;
+                                                            let _e1479 = select(_e1419, _e1406, (_e1406 < _e1419));
+                                                            if (select(_e1432, _e1479, (_e1479 < _e1432)) > 0f) {
+                                                                phi_1786_ = true;
                                                             } else {
-                                                                let _e1256 = select(_e1191, _e1178, (_e1178 > _e1191));
-                                                                phi_1367_ = (select(_e1204, _e1256, (_e1256 > _e1204)) < 0f);
+                                                                let _e1484 = select(_e1419, _e1406, (_e1406 > _e1419));
+                                                                phi_1786_ = (select(_e1432, _e1484, (_e1484 > _e1432)) < 0f);
                                                             }
-                                                            let _e1261 = phi_1367_;
-                                                            if _e1261 {
-                                                                phi_2041_ = type_30();
-                                                                phi_2042_ = false;
+                                                            let _e1489 = phi_1786_;
+                                                            if _e1489 {
+                                                                phi_2460_ = type_30();
+                                                                phi_2461_ = false;
                                                             } else {
-                                                                let _e1263 = select(_e1164[1][0], _e1164[0][0], (_e1164[0][0] < _e1164[1][0]));
-                                                                let _e1267 = select(_e1164[1][0], _e1164[0][0], (_e1164[0][0] > _e1164[1][0]));
-                                                                let _e1271 = select(_e1164[1][1], _e1164[0][1], (_e1164[0][1] < _e1164[1][1]));
-                                                                let _e1275 = select(_e1164[1][1], _e1164[0][1], (_e1164[0][1] > _e1164[1][1]));
-                                                                let _e1279 = select(_e1164[1][2], _e1164[0][2], (_e1164[0][2] < _e1164[1][2]));
-                                                                let _e1283 = select(_e1164[1][2], _e1164[0][2], (_e1164[0][2] > _e1164[1][2]));
-                                                                let _e1288 = ((select(_e1164[2][0], _e1263, (_e1263 < _e1164[2][0])) - _e414) * _e419);
-                                                                let _e1289 = ((select(_e1164[2][0], _e1267, (_e1267 > _e1164[2][0])) - _e415) * _e419);
-                                                                let _e1292 = ((select(_e1164[2][1], _e1271, (_e1271 < _e1164[2][1])) - _e450) * _e455);
-                                                                let _e1293 = ((select(_e1164[2][1], _e1275, (_e1275 > _e1164[2][1])) - _e451) * _e455);
-                                                                let _e1296 = ((select(_e1164[2][2], _e1279, (_e1279 < _e1164[2][2])) - _e486) * _e491);
-                                                                let _e1297 = ((select(_e1164[2][2], _e1283, (_e1283 > _e1164[2][2])) - _e487) * _e491);
-                                                                let _e1299 = select(_e1297, _e1296, (_e1296 < _e1297));
-                                                                let _e1301 = select(_e1297, _e1296, (_e1296 > _e1297));
-                                                                let _e1303 = select(_e1289, _e1288, (_e1288 < _e1289));
-                                                                let _e1305 = select(_e1293, _e1292, (_e1292 < _e1293));
-                                                                let _e1307 = select(_e1305, _e1303, (_e1303 > _e1305));
-                                                                let _e1309 = select(_e1299, _e1307, (_e1307 > _e1299));
-                                                                let _e1311 = select(_e1289, _e1288, (_e1288 > _e1289));
-                                                                let _e1313 = select(_e1293, _e1292, (_e1292 > _e1293));
-                                                                let _e1315 = select(_e1313, _e1311, (_e1311 < _e1313));
-                                                                let _e1317 = select(_e1301, _e1315, (_e1315 < _e1301));
-                                                                let _e1318 = -(_e1299);
-                                                                let _e1324 = select(_e537, _e1309, (_e1309 > _e537));
-                                                                if (_e1324 > (_e1317 + (select(_e1318, _e1301, (_e1301 > _e1318)) * 0.0000019073523f))) {
-                                                                    phi_2036_ = type_30();
-                                                                    phi_2037_ = true;
+                                                                let _e1491 = select(_e1392[1][0], _e1392[0][0], (_e1392[0][0] < _e1392[1][0]));
+                                                                let _e1495 = select(_e1392[1][0], _e1392[0][0], (_e1392[0][0] > _e1392[1][0]));
+                                                                let _e1499 = select(_e1392[1][1], _e1392[0][1], (_e1392[0][1] < _e1392[1][1]));
+                                                                let _e1503 = select(_e1392[1][1], _e1392[0][1], (_e1392[0][1] > _e1392[1][1]));
+                                                                let _e1507 = select(_e1392[1][2], _e1392[0][2], (_e1392[0][2] < _e1392[1][2]));
+                                                                let _e1511 = select(_e1392[1][2], _e1392[0][2], (_e1392[0][2] > _e1392[1][2]));
+                                                                let _e1516 = ((select(_e1392[2][0], _e1491, (_e1491 < _e1392[2][0])) - _e511) * _e516);
+                                                                let _e1517 = ((select(_e1392[2][0], _e1495, (_e1495 > _e1392[2][0])) - _e512) * _e516);
+                                                                let _e1520 = ((select(_e1392[2][1], _e1499, (_e1499 < _e1392[2][1])) - _e577) * _e582);
+                                                                let _e1521 = ((select(_e1392[2][1], _e1503, (_e1503 > _e1392[2][1])) - _e578) * _e582);
+                                                                let _e1524 = ((select(_e1392[2][2], _e1507, (_e1507 < _e1392[2][2])) - _e643) * _e648);
+                                                                let _e1525 = ((select(_e1392[2][2], _e1511, (_e1511 > _e1392[2][2])) - _e644) * _e648);
+                                                                let _e1527 = select(_e1525, _e1524, (_e1524 < _e1525));
+                                                                let _e1529 = select(_e1525, _e1524, (_e1524 > _e1525));
+                                                                let _e1531 = select(_e1517, _e1516, (_e1516 < _e1517));
+                                                                let _e1533 = select(_e1521, _e1520, (_e1520 < _e1521));
+                                                                let _e1535 = select(_e1533, _e1531, (_e1531 > _e1533));
+                                                                let _e1537 = select(_e1527, _e1535, (_e1535 > _e1527));
+                                                                let _e1539 = select(_e1517, _e1516, (_e1516 > _e1517));
+                                                                let _e1541 = select(_e1521, _e1520, (_e1520 > _e1521));
+                                                                let _e1543 = select(_e1541, _e1539, (_e1539 < _e1541));
+                                                                let _e1545 = select(_e1529, _e1543, (_e1543 < _e1529));
+                                                                let _e1546 = -(_e1527);
+                                                                let _e1552 = select(_e759, _e1537, (_e1537 > _e759));
+                                                                if (_e1552 > (_e1545 + (select(_e1546, _e1529, (_e1529 > _e1546)) * 0.0000019073523f))) {
+                                                                    phi_2455_ = type_30();
+                                                                    phi_2456_ = true;
                                                                 } else {
-                                                                    let _e1326 = (_e1324 > _e1068.member_1);
-                                                                    if _e1326 {
-                                                                        phi_2035_ = type_30();
+                                                                    let _e1554 = (_e1552 > _e1296.member_1);
+                                                                    if _e1554 {
+                                                                        phi_2454_ = type_30();
                                                                     } else {
-                                                                        let _e1327 = vec3<f32>(_e1164[0][0], _e1164[0][1], _e1164[0][2]);
-                                                                        let _e1328 = vec3<f32>(_e1164[1][0], _e1164[1][1], _e1164[1][2]);
-                                                                        let _e1329 = vec3<f32>(_e1164[2][0], _e1164[2][1], _e1164[2][2]);
-                                                                        let _e1330 = (_e1164[1][0] - _e1164[0][0]);
-                                                                        let _e1331 = (_e1164[1][1] - _e1164[0][1]);
-                                                                        let _e1332 = (_e1164[1][2] - _e1164[0][2]);
-                                                                        let _e1333 = vec3<f32>(_e1330, _e1331, _e1332);
-                                                                        let _e1334 = (_e1164[2][0] - _e1164[1][0]);
-                                                                        let _e1335 = (_e1164[2][1] - _e1164[1][1]);
-                                                                        let _e1336 = (_e1164[2][2] - _e1164[1][2]);
-                                                                        let _e1337 = vec3<f32>(_e1334, _e1335, _e1336);
-                                                                        let _e1338 = (_e1164[0][0] - _e1164[2][0]);
-                                                                        let _e1339 = (_e1164[0][1] - _e1164[2][1]);
-                                                                        let _e1340 = (_e1164[0][2] - _e1164[2][2]);
-                                                                        let _e1341 = vec3<f32>(_e1338, _e1339, _e1340);
-                                                                        let _e1344 = bitcast<f32>((bitcast<u32>(_e1330) & 2147483647u));
-                                                                        let _e1347 = bitcast<f32>((bitcast<u32>(_e1331) & 2147483647u));
-                                                                        let _e1349 = select(_e1347, _e1344, (_e1344 > _e1347));
-                                                                        let _e1352 = bitcast<f32>((bitcast<u32>(_e1332) & 2147483647u));
-                                                                        let _e1354 = select(_e1352, _e1349, (_e1349 > _e1352));
-                                                                        let _e1357 = bitcast<f32>((bitcast<u32>(_e1334) & 2147483647u));
-                                                                        let _e1360 = bitcast<f32>((bitcast<u32>(_e1335) & 2147483647u));
-                                                                        let _e1362 = select(_e1360, _e1357, (_e1357 > _e1360));
-                                                                        let _e1365 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
-                                                                        let _e1367 = select(_e1365, _e1362, (_e1362 > _e1365));
-                                                                        let _e1370 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
-                                                                        let _e1373 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
-                                                                        let _e1375 = select(_e1373, _e1370, (_e1370 > _e1373));
-                                                                        let _e1378 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
-                                                                        let _e1380 = select(_e1378, _e1375, (_e1375 > _e1378));
-                                                                        let _e1382 = select(_e1367, _e1354, (_e1354 > _e1367));
-                                                                        let _e1384 = select(_e1380, _e1382, (_e1382 > _e1380));
-                                                                        if (_e1354 == _e1384) {
-                                                                            phi_1768_ = _e1191;
-                                                                            phi_1769_ = _e1188;
-                                                                            phi_1770_ = _e1178;
-                                                                            phi_1771_ = _e1175;
-                                                                            phi_1772_ = _e1327;
-                                                                            phi_1773_ = _e1341;
-                                                                            phi_1774_ = _e1337;
-                                                                            phi_1775_ = _e1333;
+                                                                        let _e1555 = vec3<f32>(_e1392[0][0], _e1392[0][1], _e1392[0][2]);
+                                                                        let _e1556 = vec3<f32>(_e1392[1][0], _e1392[1][1], _e1392[1][2]);
+                                                                        let _e1557 = vec3<f32>(_e1392[2][0], _e1392[2][1], _e1392[2][2]);
+                                                                        let _e1558 = (_e1392[1][0] - _e1392[0][0]);
+                                                                        let _e1559 = (_e1392[1][1] - _e1392[0][1]);
+                                                                        let _e1560 = (_e1392[1][2] - _e1392[0][2]);
+                                                                        let _e1561 = vec3<f32>(_e1558, _e1559, _e1560);
+                                                                        let _e1562 = (_e1392[2][0] - _e1392[1][0]);
+                                                                        let _e1563 = (_e1392[2][1] - _e1392[1][1]);
+                                                                        let _e1564 = (_e1392[2][2] - _e1392[1][2]);
+                                                                        let _e1565 = vec3<f32>(_e1562, _e1563, _e1564);
+                                                                        let _e1566 = (_e1392[0][0] - _e1392[2][0]);
+                                                                        let _e1567 = (_e1392[0][1] - _e1392[2][1]);
+                                                                        let _e1568 = (_e1392[0][2] - _e1392[2][2]);
+                                                                        let _e1569 = vec3<f32>(_e1566, _e1567, _e1568);
+                                                                        let _e1572 = bitcast<f32>((bitcast<u32>(_e1558) & 2147483647u));
+                                                                        let _e1575 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
+                                                                        let _e1577 = select(_e1575, _e1572, (_e1572 > _e1575));
+                                                                        let _e1580 = bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u));
+                                                                        let _e1582 = select(_e1580, _e1577, (_e1577 > _e1580));
+                                                                        let _e1585 = bitcast<f32>((bitcast<u32>(_e1562) & 2147483647u));
+                                                                        let _e1588 = bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u));
+                                                                        let _e1590 = select(_e1588, _e1585, (_e1585 > _e1588));
+                                                                        let _e1593 = bitcast<f32>((bitcast<u32>(_e1564) & 2147483647u));
+                                                                        let _e1595 = select(_e1593, _e1590, (_e1590 > _e1593));
+                                                                        let _e1598 = bitcast<f32>((bitcast<u32>(_e1566) & 2147483647u));
+                                                                        let _e1601 = bitcast<f32>((bitcast<u32>(_e1567) & 2147483647u));
+                                                                        let _e1603 = select(_e1601, _e1598, (_e1598 > _e1601));
+                                                                        let _e1606 = bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u));
+                                                                        let _e1608 = select(_e1606, _e1603, (_e1603 > _e1606));
+                                                                        let _e1610 = select(_e1595, _e1582, (_e1582 > _e1595));
+                                                                        let _e1612 = select(_e1608, _e1610, (_e1610 > _e1608));
+                                                                        if (_e1582 == _e1612) {
+                                                                            phi_2187_ = _e1419;
+                                                                            phi_2188_ = _e1416;
+                                                                            phi_2189_ = _e1406;
+                                                                            phi_2190_ = _e1403;
+                                                                            phi_2191_ = _e1555;
+                                                                            phi_2192_ = _e1569;
+                                                                            phi_2193_ = _e1565;
+                                                                            phi_2194_ = _e1561;
                                                                         } else {
-                                                                            let _e1386 = (_e1367 == _e1384);
-                                                                            let _e1391 = vec3(_e1386);
-                                                                            phi_1768_ = select(_e1178, _e1204, _e1386);
-                                                                            phi_1769_ = select(_e1175, _e1201, _e1386);
-                                                                            phi_1770_ = select(_e1204, _e1191, _e1386);
-                                                                            phi_1771_ = select(_e1201, _e1188, _e1386);
-                                                                            phi_1772_ = select(_e1329, _e1328, _e1391);
-                                                                            phi_1773_ = select(_e1337, _e1333, _e1391);
-                                                                            phi_1774_ = select(_e1333, _e1341, _e1391);
-                                                                            phi_1775_ = select(_e1341, _e1337, _e1391);
+                                                                            let _e1614 = (_e1595 == _e1612);
+                                                                            let _e1619 = vec3(_e1614);
+                                                                            phi_2187_ = select(_e1406, _e1432, _e1614);
+                                                                            phi_2188_ = select(_e1403, _e1429, _e1614);
+                                                                            phi_2189_ = select(_e1432, _e1419, _e1614);
+                                                                            phi_2190_ = select(_e1429, _e1416, _e1614);
+                                                                            phi_2191_ = select(_e1557, _e1556, _e1619);
+                                                                            phi_2192_ = select(_e1565, _e1561, _e1619);
+                                                                            phi_2193_ = select(_e1561, _e1569, _e1619);
+                                                                            phi_2194_ = select(_e1569, _e1565, _e1619);
                                                                         }
-                                                                        let _e1397 = phi_1768_;
-                                                                        let _e1399 = phi_1769_;
-                                                                        let _e1401 = phi_1770_;
-                                                                        let _e1403 = phi_1771_;
-                                                                        let _e1405 = phi_1772_;
-                                                                        let _e1407 = phi_1773_;
-                                                                        let _e1409 = phi_1774_;
-                                                                        let _e1411 = phi_1775_;
-                                                                        let _e1418 = ((_e1409.y * _e1407.z) - (_e1407.y * _e1409.z));
-                                                                        let _e1423 = ((_e1409.z * _e1407.x) - (_e1407.z * _e1409.x));
-                                                                        let _e1426 = ((_e1409.x * _e1407.y) - (_e1407.x * _e1409.y));
-                                                                        if (_e1226 >= _e1230) {
-                                                                            phi_1806_ = select(true, false, (_e1226 >= _e1234));
+                                                                        let _e1625 = phi_2187_;
+                                                                        let _e1627 = phi_2188_;
+                                                                        let _e1629 = phi_2189_;
+                                                                        let _e1631 = phi_2190_;
+                                                                        let _e1633 = phi_2191_;
+                                                                        let _e1635 = phi_2192_;
+                                                                        let _e1637 = phi_2193_;
+                                                                        let _e1639 = phi_2194_;
+                                                                        let _e1646 = ((_e1637.y * _e1635.z) - (_e1635.y * _e1637.z));
+                                                                        let _e1651 = ((_e1637.z * _e1635.x) - (_e1635.z * _e1637.x));
+                                                                        let _e1654 = ((_e1637.x * _e1635.y) - (_e1635.x * _e1637.y));
+                                                                        if (_e1454 >= _e1458) {
+                                                                            phi_2225_ = select(true, false, (_e1454 >= _e1462));
                                                                         } else {
-                                                                            phi_1806_ = true;
+                                                                            phi_2225_ = true;
                                                                         }
-                                                                        let _e1431 = phi_1806_;
-                                                                        if _e1431 {
-                                                                            phi_1815_ = select(_e1329, _e1328, vec3((_e1230 >= _e1234)));
+                                                                        let _e1659 = phi_2225_;
+                                                                        if _e1659 {
+                                                                            phi_2234_ = select(_e1557, _e1556, vec3((_e1458 >= _e1462)));
                                                                         } else {
-                                                                            phi_1815_ = _e1327;
+                                                                            phi_2234_ = _e1555;
                                                                         }
-                                                                        let _e1436 = phi_1815_;
-                                                                        let _e1447 = (((_e1418 * (_e1436.x - _e391)) + (_e1423 * (_e1436.y - _e428))) + (_e1426 * (_e1436.z - _e464)));
-                                                                        let _e1452 = (((_e1418 * _e416) + (_e1423 * _e452)) + (_e1426 * _e488));
-                                                                        let _e1453 = (_e1399 - _e1403);
-                                                                        let _e1454 = (_e1397 - _e1401);
-                                                                        let _e1462 = (-(((_e1403 * _e1453) + (_e1401 * _e1454))) / ((_e1453 * _e1453) + (_e1454 * _e1454)));
-                                                                        let _e1464 = select(1f, _e1462, (_e1462 < 1f));
-                                                                        let _e1466 = select(0f, _e1464, (_e1464 > 0f));
-                                                                        let _e1479 = ((_e1405.x + (_e1411.x * _e1466)) - _e391);
-                                                                        let _e1480 = ((_e1405.y + (_e1411.y * _e1466)) - _e428);
-                                                                        let _e1481 = ((_e1405.z + (_e1411.z * _e1466)) - _e464);
-                                                                        let _e1482 = (_e1481 / _e488);
-                                                                        let _e1494 = bitcast<f32>((bitcast<u32>(_e1479) & 2147483647u));
-                                                                        let _e1497 = bitcast<f32>((bitcast<u32>(_e1480) & 2147483647u));
-                                                                        let _e1499 = select(_e1497, _e1494, (_e1494 > _e1497));
-                                                                        let _e1502 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
-                                                                        let _e1504 = select(_e1502, _e1499, (_e1499 > _e1502));
-                                                                        let _e1510 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
-                                                                        let _e1513 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
-                                                                        let _e1515 = select(_e1513, _e1510, (_e1510 > _e1513));
-                                                                        let _e1518 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1418 * _e1479) + (_e1423 * _e1480)) + (_e1426 * _e1481)) - _e1447)) & 2147483647u)) <= ((0.0000009536743f * select(_e1384, _e1504, (_e1504 > _e1384))) * select(_e1518, _e1515, (_e1515 > _e1518)))) {
-                                                                            let _e1528 = bitcast<f32>((bitcast<u32>(_e1409.x) & 2147483647u));
-                                                                            let _e1531 = bitcast<f32>((bitcast<u32>(_e1409.y) & 2147483647u));
-                                                                            let _e1533 = select(_e1531, _e1528, (_e1528 > _e1531));
-                                                                            let _e1536 = bitcast<f32>((bitcast<u32>(_e1409.z) & 2147483647u));
-                                                                            let _e1542 = bitcast<f32>((bitcast<u32>(_e1407.x) & 2147483647u));
-                                                                            let _e1545 = bitcast<f32>((bitcast<u32>(_e1407.y) & 2147483647u));
-                                                                            let _e1547 = select(_e1545, _e1542, (_e1542 > _e1545));
-                                                                            let _e1550 = bitcast<f32>((bitcast<u32>(_e1407.z) & 2147483647u));
-                                                                            let _e1554 = (bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u)) > ((0.0000038146973f * select(_e1536, _e1533, (_e1533 > _e1536))) * select(_e1550, _e1547, (_e1547 > _e1550))));
-                                                                            if _e1554 {
-                                                                                phi_1980_ = (_e1447 / _e1452);
+                                                                        let _e1664 = phi_2234_;
+                                                                        let _e1675 = (((_e1646 * (_e1664.x - _e473)) + (_e1651 * (_e1664.y - _e540))) + (_e1654 * (_e1664.z - _e606)));
+                                                                        let _e1680 = (((_e1646 * _e513) + (_e1651 * _e579)) + (_e1654 * _e645));
+                                                                        let _e1681 = (_e1627 - _e1631);
+                                                                        let _e1682 = (_e1625 - _e1629);
+                                                                        let _e1690 = (-(((_e1631 * _e1681) + (_e1629 * _e1682))) / ((_e1681 * _e1681) + (_e1682 * _e1682)));
+                                                                        let _e1692 = select(1f, _e1690, (_e1690 < 1f));
+                                                                        let _e1694 = select(0f, _e1692, (_e1692 > 0f));
+                                                                        let _e1707 = ((_e1633.x + (_e1639.x * _e1694)) - _e473);
+                                                                        let _e1708 = ((_e1633.y + (_e1639.y * _e1694)) - _e540);
+                                                                        let _e1709 = ((_e1633.z + (_e1639.z * _e1694)) - _e606);
+                                                                        let _e1710 = (_e1709 / _e645);
+                                                                        let _e1722 = bitcast<f32>((bitcast<u32>(_e1707) & 2147483647u));
+                                                                        let _e1725 = bitcast<f32>((bitcast<u32>(_e1708) & 2147483647u));
+                                                                        let _e1727 = select(_e1725, _e1722, (_e1722 > _e1725));
+                                                                        let _e1730 = bitcast<f32>((bitcast<u32>(_e1709) & 2147483647u));
+                                                                        let _e1732 = select(_e1730, _e1727, (_e1727 > _e1730));
+                                                                        let _e1738 = bitcast<f32>((bitcast<u32>(_e1646) & 2147483647u));
+                                                                        let _e1741 = bitcast<f32>((bitcast<u32>(_e1651) & 2147483647u));
+                                                                        let _e1743 = select(_e1741, _e1738, (_e1738 > _e1741));
+                                                                        let _e1746 = bitcast<f32>((bitcast<u32>(_e1654) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1646 * _e1707) + (_e1651 * _e1708)) + (_e1654 * _e1709)) - _e1675)) & 2147483647u)) <= ((0.0000009536743f * select(_e1612, _e1732, (_e1732 > _e1612))) * select(_e1746, _e1743, (_e1743 > _e1746)))) {
+                                                                            let _e1756 = bitcast<f32>((bitcast<u32>(_e1637.x) & 2147483647u));
+                                                                            let _e1759 = bitcast<f32>((bitcast<u32>(_e1637.y) & 2147483647u));
+                                                                            let _e1761 = select(_e1759, _e1756, (_e1756 > _e1759));
+                                                                            let _e1764 = bitcast<f32>((bitcast<u32>(_e1637.z) & 2147483647u));
+                                                                            let _e1770 = bitcast<f32>((bitcast<u32>(_e1635.x) & 2147483647u));
+                                                                            let _e1773 = bitcast<f32>((bitcast<u32>(_e1635.y) & 2147483647u));
+                                                                            let _e1775 = select(_e1773, _e1770, (_e1770 > _e1773));
+                                                                            let _e1778 = bitcast<f32>((bitcast<u32>(_e1635.z) & 2147483647u));
+                                                                            let _e1782 = (bitcast<f32>((bitcast<u32>(_e1680) & 2147483647u)) > ((0.0000038146973f * select(_e1764, _e1761, (_e1761 > _e1764))) * select(_e1778, _e1775, (_e1775 > _e1778))));
+                                                                            if _e1782 {
+                                                                                phi_2399_ = (_e1675 / _e1680);
                                                                             } else {
-                                                                                phi_1980_ = f32();
+                                                                                phi_2399_ = f32();
                                                                             }
-                                                                            let _e1557 = phi_1980_;
-                                                                            phi_1982_ = _e1557;
-                                                                            phi_1983_ = select(true, false, _e1554);
+                                                                            let _e1785 = phi_2399_;
+                                                                            phi_2401_ = _e1785;
+                                                                            phi_2402_ = select(true, false, _e1782);
                                                                         } else {
-                                                                            phi_1982_ = f32();
-                                                                            phi_1983_ = true;
+                                                                            phi_2401_ = f32();
+                                                                            phi_2402_ = true;
                                                                         }
-                                                                        let _e1560 = phi_1982_;
-                                                                        let _e1562 = phi_1983_;
-                                                                        if _e1562 {
-                                                                            let _e1570 = (((_e1418 * (_e1479 - (_e416 * _e1482))) + (_e1423 * (_e1480 - (_e452 * _e1482)))) / _e1452);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1570) & 2147483647u)) <= _e1384) {
-                                                                                phi_2003_ = (_e1482 + _e1570);
+                                                                        let _e1788 = phi_2401_;
+                                                                        let _e1790 = phi_2402_;
+                                                                        if _e1790 {
+                                                                            let _e1798 = (((_e1646 * (_e1707 - (_e513 * _e1710))) + (_e1651 * (_e1708 - (_e579 * _e1710)))) / _e1680);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1798) & 2147483647u)) <= _e1612) {
+                                                                                phi_2422_ = (_e1710 + _e1798);
                                                                             } else {
-                                                                                phi_2003_ = _e1482;
+                                                                                phi_2422_ = _e1710;
                                                                             }
-                                                                            let _e1577 = phi_2003_;
-                                                                            phi_2004_ = _e1577;
+                                                                            let _e1805 = phi_2422_;
+                                                                            phi_2423_ = _e1805;
                                                                         } else {
-                                                                            phi_2004_ = _e1560;
+                                                                            phi_2423_ = _e1788;
                                                                         }
-                                                                        let _e1579 = phi_2004_;
-                                                                        let _e1581 = select(_e1317, _e1579, (_e1579 < _e1317));
-                                                                        let _e1583 = select(_e1309, _e1581, (_e1581 > _e1309));
-                                                                        if (_e1583 >= _e537) {
-                                                                            let _e1585 = (_e1583 <= _e1068.member_1);
-                                                                            if _e1585 {
-                                                                                let _e1586 = (1f / _e1236);
-                                                                                phi_2027_ = type_30(_e1583, (_e1230 * _e1586), (_e1234 * _e1586), _e1097);
+                                                                        let _e1807 = phi_2423_;
+                                                                        let _e1809 = select(_e1545, _e1807, (_e1807 < _e1545));
+                                                                        let _e1811 = select(_e1537, _e1809, (_e1809 > _e1537));
+                                                                        if (_e1811 >= _e759) {
+                                                                            let _e1813 = (_e1811 <= _e1296.member_1);
+                                                                            if _e1813 {
+                                                                                let _e1814 = (1f / _e1464);
+                                                                                phi_2446_ = type_30(_e1811, (_e1458 * _e1814), (_e1462 * _e1814), _e1325);
                                                                             } else {
-                                                                                phi_2027_ = type_30();
+                                                                                phi_2446_ = type_30();
                                                                             }
-                                                                            let _e1591 = phi_2027_;
-                                                                            phi_2029_ = _e1591;
-                                                                            phi_2030_ = select(true, false, _e1585);
+                                                                            let _e1819 = phi_2446_;
+                                                                            phi_2448_ = _e1819;
+                                                                            phi_2449_ = select(true, false, _e1813);
                                                                         } else {
-                                                                            phi_2029_ = type_30();
-                                                                            phi_2030_ = true;
+                                                                            phi_2448_ = type_30();
+                                                                            phi_2449_ = true;
                                                                         }
-                                                                        let _e1594 = phi_2029_;
-                                                                        let _e1596 = phi_2030_;
-                                                                        if _e1596 {
-                                                                            phi_2034_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1822 = phi_2448_;
+                                                                        let _e1824 = phi_2449_;
+                                                                        if _e1824 {
+                                                                            phi_2453_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2034_ = _e1594;
+                                                                            phi_2453_ = _e1822;
                                                                         }
-                                                                        let _e1598 = phi_2034_;
-                                                                        phi_2035_ = _e1598;
+                                                                        let _e1826 = phi_2453_;
+                                                                        phi_2454_ = _e1826;
                                                                     }
-                                                                    let _e1600 = phi_2035_;
-                                                                    phi_2036_ = _e1600;
-                                                                    phi_2037_ = _e1326;
+                                                                    let _e1828 = phi_2454_;
+                                                                    phi_2455_ = _e1828;
+                                                                    phi_2456_ = _e1554;
                                                                 }
-                                                                let _e1602 = phi_2036_;
-                                                                let _e1604 = phi_2037_;
-                                                                phi_2041_ = _e1602;
-                                                                phi_2042_ = _e1604;
+                                                                let _e1830 = phi_2455_;
+                                                                let _e1832 = phi_2456_;
+                                                                phi_2460_ = _e1830;
+                                                                phi_2461_ = _e1832;
                                                             }
-                                                            let _e1606 = phi_2041_;
-                                                            let _e1608 = phi_2042_;
-                                                            phi_2043_ = _e1606;
-                                                            phi_2044_ = _e1261;
-                                                            phi_2045_ = _e1608;
+                                                            let _e1834 = phi_2460_;
+                                                            let _e1836 = phi_2461_;
+                                                            phi_2462_ = _e1834;
+                                                            phi_2463_ = _e1489;
+                                                            phi_2464_ = _e1836;
                                                         }
-                                                        let _e1610 = phi_2043_;
-                                                        let _e1612 = phi_2044_;
-                                                        let _e1614 = phi_2045_;
-                                                        phi_2046_ = _e1610;
-                                                        phi_2047_ = _e1612;
-                                                        phi_2048_ = _e1614;
+                                                        let _e1838 = phi_2462_;
+                                                        let _e1840 = phi_2463_;
+                                                        let _e1842 = phi_2464_;
+                                                        phi_2465_ = _e1838;
+                                                        phi_2466_ = _e1840;
+                                                        phi_2467_ = _e1842;
                                                     }
-                                                    let _e1616 = phi_2046_;
-                                                    let _e1618 = phi_2047_;
-                                                    let _e1620 = phi_2048_;
-                                                    phi_2056_ = _e1616;
-                                                    phi_2057_ = select(_e1620, true, _e1618);
+                                                    let _e1844 = phi_2465_;
+                                                    let _e1846 = phi_2466_;
+                                                    let _e1848 = phi_2467_;
+                                                    phi_2475_ = _e1844;
+                                                    phi_2476_ = select(_e1848, true, _e1846);
                                                 } else {
-                                                    phi_2056_ = type_30();
-                                                    phi_2057_ = true;
+                                                    phi_2475_ = type_30();
+                                                    phi_2476_ = true;
                                                 }
-                                                let _e1623 = phi_2056_;
-                                                let _e1625 = phi_2057_;
-                                                if _e1625 {
-                                                    phi_2061_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1851 = phi_2475_;
+                                                let _e1853 = phi_2476_;
+                                                if _e1853 {
+                                                    phi_2480_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2061_ = _e1623;
+                                                    phi_2480_ = _e1851;
                                                 }
-                                                let _e1627 = phi_2061_;
-                                                if (_e1627.member_3 != 4294967295u) {
-                                                    if (_e1097 == _e165) {
-                                                        phi_2390_ = false;
+                                                let _e1855 = phi_2480_;
+                                                if (_e1855.member_3 != 4294967295u) {
+                                                    if (_e1325 == _e172) {
+                                                        phi_2809_ = false;
                                                     } else {
-                                                        let _e1631 = (_e1097 < arrayLength((&global_6.member)));
-                                                        if _e1631 {
-                                                            if _e1631 {
+                                                        let _e1859 = (_e1325 < arrayLength((&global_6.member)));
+                                                        if _e1859 {
+                                                            if _e1859 {
                                                             } else {
-                                                                phi_3962_ = true;
+                                                                phi_4487_ = true;
                                                                 break;
                                                             }
-                                                            let _e1633 = global_6.member[_e1097];
-                                                            phi_2084_ = _e1633;
+                                                            let _e1861 = global_6.member[_e1325];
+                                                            phi_2503_ = _e1861;
                                                         } else {
-                                                            phi_2084_ = 4294967295u;
+                                                            phi_2503_ = 4294967295u;
                                                         }
-                                                        let _e1635 = phi_2084_;
-                                                        let _e1636 = (_e1635 < arrayLength((&global_7.member)));
-                                                        if _e1636 {
-                                                            if _e1636 {
+                                                        let _e1863 = phi_2503_;
+                                                        let _e1864 = (_e1863 < arrayLength((&global_7.member)));
+                                                        if _e1864 {
+                                                            if _e1864 {
                                                             } else {
-                                                                phi_3962_ = true;
+                                                                phi_4487_ = true;
                                                                 break;
                                                             }
-                                                            let _e1638 = global_7.member[_e1635];
-                                                            phi_2098_ = _e1638;
+                                                            let _e1866 = global_7.member[_e1863];
+                                                            phi_2517_ = _e1866;
                                                         } else {
-                                                            phi_2098_ = 0i;
+                                                            phi_2517_ = 0i;
                                                         }
-                                                        let _e1640 = phi_2098_;
-                                                        let _e1641 = (_e1640 == 0i);
-                                                        if _e1641 {
-                                                            phi_2389_ = true;
+                                                        let _e1868 = phi_2517_;
+                                                        let _e1869 = (_e1868 == 0i);
+                                                        if _e1869 {
+                                                            phi_2808_ = true;
                                                         } else {
-                                                            if _e383 {
-                                                                phi_2119_ = vec3<f32>(_e1164[0][0], _e1164[0][1], _e1164[0][2]);
+                                                            if _e450 {
+                                                                phi_2538_ = vec3<f32>(_e1392[0][0], _e1392[0][1], _e1392[0][2]);
                                                             } else {
-                                                                if (_e359 == 1u) {
-                                                                    phi_2118_ = vec3<f32>(_e1164[0][2], _e1164[0][0], _e1164[0][1]);
+                                                                if (_e426 == 1u) {
+                                                                    phi_2537_ = vec3<f32>(_e1392[0][2], _e1392[0][0], _e1392[0][1]);
                                                                 } else {
-                                                                    phi_2118_ = vec3<f32>(_e1164[0][1], _e1164[0][2], _e1164[0][0]);
+                                                                    phi_2537_ = vec3<f32>(_e1392[0][1], _e1392[0][2], _e1392[0][0]);
                                                                 }
-                                                                let _e1646 = phi_2118_;
-                                                                phi_2119_ = _e1646;
+                                                                let _e1874 = phi_2537_;
+                                                                phi_2538_ = _e1874;
                                                             }
-                                                            let _e1649 = phi_2119_;
-                                                            if _e383 {
-                                                                phi_2136_ = vec3<f32>(_e1164[1][0], _e1164[1][1], _e1164[1][2]);
+                                                            let _e1877 = phi_2538_;
+                                                            if _e450 {
+                                                                phi_2555_ = vec3<f32>(_e1392[1][0], _e1392[1][1], _e1392[1][2]);
                                                             } else {
-                                                                if (_e359 == 1u) {
-                                                                    phi_2135_ = vec3<f32>(_e1164[1][2], _e1164[1][0], _e1164[1][1]);
+                                                                if (_e426 == 1u) {
+                                                                    phi_2554_ = vec3<f32>(_e1392[1][2], _e1392[1][0], _e1392[1][1]);
                                                                 } else {
-                                                                    phi_2135_ = vec3<f32>(_e1164[1][1], _e1164[1][2], _e1164[1][0]);
+                                                                    phi_2554_ = vec3<f32>(_e1392[1][1], _e1392[1][2], _e1392[1][0]);
                                                                 }
-                                                                let _e1654 = phi_2135_;
-                                                                phi_2136_ = _e1654;
+                                                                let _e1882 = phi_2554_;
+                                                                phi_2555_ = _e1882;
                                                             }
-                                                            let _e1657 = phi_2136_;
-                                                            if _e383 {
-                                                                phi_2153_ = vec3<f32>(_e1164[2][0], _e1164[2][1], _e1164[2][2]);
+                                                            let _e1885 = phi_2555_;
+                                                            if _e450 {
+                                                                phi_2572_ = vec3<f32>(_e1392[2][0], _e1392[2][1], _e1392[2][2]);
                                                             } else {
-                                                                if (_e359 == 1u) {
-                                                                    phi_2152_ = vec3<f32>(_e1164[2][2], _e1164[2][0], _e1164[2][1]);
+                                                                if (_e426 == 1u) {
+                                                                    phi_2571_ = vec3<f32>(_e1392[2][2], _e1392[2][0], _e1392[2][1]);
                                                                 } else {
-                                                                    phi_2152_ = vec3<f32>(_e1164[2][1], _e1164[2][2], _e1164[2][0]);
+                                                                    phi_2571_ = vec3<f32>(_e1392[2][1], _e1392[2][2], _e1392[2][0]);
                                                                 }
-                                                                let _e1662 = phi_2152_;
-                                                                phi_2153_ = _e1662;
+                                                                let _e1890 = phi_2571_;
+                                                                phi_2572_ = _e1890;
                                                             }
-                                                            let _e1665 = phi_2153_;
-                                                            let _e1668 = (_e1657.x - _e1649.x);
-                                                            let _e1671 = (_e1657.y - _e1649.y);
-                                                            let _e1674 = (_e1657.z - _e1649.z);
-                                                            let _e1676 = (_e1665.x - _e1649.x);
-                                                            let _e1678 = (_e1665.y - _e1649.y);
-                                                            let _e1680 = (_e1665.z - _e1649.z);
-                                                            if (_e237.member_1 == 1u) {
-                                                                phi_2189_ = (vec3<f32>(_e237.member[0], _e237.member[1], _e237.member[2]) - _e1649);
+                                                            let _e1893 = phi_2572_;
+                                                            let _e1896 = (_e1885.x - _e1877.x);
+                                                            let _e1899 = (_e1885.y - _e1877.y);
+                                                            let _e1902 = (_e1885.z - _e1877.z);
+                                                            let _e1904 = (_e1893.x - _e1877.x);
+                                                            let _e1906 = (_e1893.y - _e1877.y);
+                                                            let _e1908 = (_e1893.z - _e1877.z);
+                                                            if (_e304.member_1 == 1u) {
+                                                                phi_2608_ = (vec3<f32>(_e304.member[0], _e304.member[1], _e304.member[2]) - _e1877);
                                                             } else {
-                                                                phi_2189_ = vec3<f32>(_e237.member[0], _e237.member[1], _e237.member[2]);
+                                                                phi_2608_ = vec3<f32>(_e304.member[0], _e304.member[1], _e304.member[2]);
                                                             }
-                                                            let _e1695 = phi_2189_;
-                                                            let _e1701 = bitcast<f32>((bitcast<u32>((_e1668 * _e1678)) ^ _e237.member_3[0]));
-                                                            let _e1705 = bitcast<f32>((bitcast<u32>((_e1671 * _e1676)) ^ _e237.member_3[0]));
-                                                            let _e1709 = bitcast<f32>((bitcast<u32>((_e1671 * _e1680)) ^ _e237.member_3[0]));
-                                                            let _e1713 = bitcast<f32>((bitcast<u32>((_e1674 * _e1678)) ^ _e237.member_3[0]));
-                                                            let _e1717 = bitcast<f32>((bitcast<u32>((_e1674 * _e1676)) ^ _e237.member_3[0]));
-                                                            let _e1721 = bitcast<f32>((bitcast<u32>((_e1668 * _e1680)) ^ _e237.member_3[0]));
-                                                            let _e1722 = (_e1709 - _e1713);
-                                                            let _e1723 = (_e1717 - _e1721);
-                                                            let _e1724 = (_e1701 - _e1705);
-                                                            let _e1748 = (bitcast<f32>((bitcast<u32>(_e1709) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1713) & 2147483647u)));
-                                                            let _e1755 = (bitcast<f32>((bitcast<u32>(_e1717) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1721) & 2147483647u)));
-                                                            let _e1762 = (bitcast<f32>((bitcast<u32>(_e1701) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1705) & 2147483647u)));
-                                                            if (_e237.member_2 == 0f) {
-                                                                phi_2371_ = 0f;
+                                                            let _e1923 = phi_2608_;
+                                                            let _e1929 = bitcast<f32>((bitcast<u32>((_e1896 * _e1906)) ^ _e304.member_3[0]));
+                                                            let _e1933 = bitcast<f32>((bitcast<u32>((_e1899 * _e1904)) ^ _e304.member_3[0]));
+                                                            let _e1937 = bitcast<f32>((bitcast<u32>((_e1899 * _e1908)) ^ _e304.member_3[0]));
+                                                            let _e1941 = bitcast<f32>((bitcast<u32>((_e1902 * _e1906)) ^ _e304.member_3[0]));
+                                                            let _e1945 = bitcast<f32>((bitcast<u32>((_e1902 * _e1904)) ^ _e304.member_3[0]));
+                                                            let _e1949 = bitcast<f32>((bitcast<u32>((_e1896 * _e1908)) ^ _e304.member_3[0]));
+                                                            let _e1950 = (_e1937 - _e1941);
+                                                            let _e1951 = (_e1945 - _e1949);
+                                                            let _e1952 = (_e1929 - _e1933);
+                                                            let _e1976 = (bitcast<f32>((bitcast<u32>(_e1937) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1941) & 2147483647u)));
+                                                            let _e1983 = (bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1949) & 2147483647u)));
+                                                            let _e1990 = (bitcast<f32>((bitcast<u32>(_e1929) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1933) & 2147483647u)));
+                                                            if (_e304.member_2 == 0f) {
+                                                                phi_2790_ = 0f;
                                                             } else {
-                                                                let _e1792 = bitcast<f32>((bitcast<u32>(_e1722) & 2147483647u));
-                                                                let _e1795 = bitcast<f32>((bitcast<u32>(_e1723) & 2147483647u));
-                                                                let _e1798 = bitcast<f32>((bitcast<u32>(_e1724) & 2147483647u));
-                                                                let _e1800 = select(_e1798, _e1795, (_e1795 > _e1798));
-                                                                let _e1804 = select(_e1798, _e1795, (_e1795 < _e1798));
-                                                                let _e1808 = select(_e1795, _e1792, (_e1792 < _e1795));
-                                                                let _e1810 = select(_e1795, _e1792, (_e1792 > _e1795));
-                                                                let _e1812 = select(_e1798, _e1810, (_e1810 < _e1798));
-                                                                phi_2371_ = bitcast<f32>((bitcast<u32>((_e237.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1800, _e1792, (_e1792 > _e1800)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1812, _e1808, (_e1808 > _e1812)))) ^ _e237.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1804, _e1792, (_e1792 < _e1804)))) ^ _e237.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1748 + _e1755) + _e1762))) ^ _e237.member_3[0]))) * 1.0000005f)) ^ _e237.member_3[0])))) ^ _e237.member_3[0]));
+                                                                let _e2020 = bitcast<f32>((bitcast<u32>(_e1950) & 2147483647u));
+                                                                let _e2023 = bitcast<f32>((bitcast<u32>(_e1951) & 2147483647u));
+                                                                let _e2026 = bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u));
+                                                                let _e2028 = select(_e2026, _e2023, (_e2023 > _e2026));
+                                                                let _e2032 = select(_e2026, _e2023, (_e2023 < _e2026));
+                                                                let _e2036 = select(_e2023, _e2020, (_e2020 < _e2023));
+                                                                let _e2038 = select(_e2023, _e2020, (_e2020 > _e2023));
+                                                                let _e2040 = select(_e2026, _e2038, (_e2038 < _e2026));
+                                                                phi_2790_ = bitcast<f32>((bitcast<u32>((_e304.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2028, _e2020, (_e2020 > _e2028)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2040, _e2036, (_e2036 > _e2040)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2032, _e2020, (_e2020 < _e2032)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1976 + _e1983) + _e1990))) ^ _e304.member_3[0]))) * 1.0000005f)) ^ _e304.member_3[0])))) ^ _e304.member_3[0]));
                                                             }
-                                                            let _e1839 = phi_2371_;
-                                                            phi_2389_ = (_e1641 || !(((((bitcast<f32>((bitcast<u32>((_e1695.x * _e1722)) ^ _e237.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1695.y * _e1723)) ^ _e237.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1695.z * _e1724)) ^ _e237.member_3[0]))) * f32(-(_e1640))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1695.x) & 2147483647u)) * _e1748)) ^ _e237.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1695.y) & 2147483647u)) * _e1755)) ^ _e237.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1695.z) & 2147483647u)) * _e1762)) ^ _e237.member_3[0]))))) ^ _e237.member_3[0])) + _e1839) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2067 = phi_2790_;
+                                                            phi_2808_ = (_e1869 || !(((((bitcast<f32>((bitcast<u32>((_e1923.x * _e1950)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1923.y * _e1951)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1923.z * _e1952)) ^ _e304.member_3[0]))) * f32(-(_e1868))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.x) & 2147483647u)) * _e1976)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.y) & 2147483647u)) * _e1983)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.z) & 2147483647u)) * _e1990)) ^ _e304.member_3[0]))))) ^ _e304.member_3[0])) + _e2067) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1853 = phi_2389_;
-                                                        phi_2390_ = _e1853;
+                                                        let _e2081 = phi_2808_;
+                                                        phi_2809_ = _e2081;
                                                     }
-                                                    let _e1855 = phi_2390_;
-                                                    if _e1855 {
-                                                        if (_e1627.member < _e1068.member.member) {
-                                                            phi_2410_ = true;
+                                                    let _e2083 = phi_2809_;
+                                                    if _e2083 {
+                                                        if (_e1855.member < _e1296.member.member) {
+                                                            phi_2829_ = true;
                                                         } else {
-                                                            if (_e1627.member == _e1068.member.member) {
-                                                                phi_2409_ = (_e1627.member_3 < _e1068.member.member_3);
+                                                            if (_e1855.member == _e1296.member.member) {
+                                                                phi_2828_ = (_e1855.member_3 < _e1296.member.member_3);
                                                             } else {
-                                                                phi_2409_ = false;
+                                                                phi_2828_ = false;
                                                             }
-                                                            let _e1865 = phi_2409_;
-                                                            phi_2410_ = _e1865;
+                                                            let _e2093 = phi_2828_;
+                                                            phi_2829_ = _e2093;
                                                         }
-                                                        let _e1867 = phi_2410_;
-                                                        if _e1867 {
-                                                            phi_2416_ = type_47(_e1627, _e1627.member);
+                                                        let _e2095 = phi_2829_;
+                                                        if _e2095 {
+                                                            phi_2835_ = type_47(_e1855, _e1855.member);
                                                         } else {
-                                                            phi_2416_ = _e1068;
+                                                            phi_2835_ = _e1296;
                                                         }
-                                                        let _e1870 = phi_2416_;
-                                                        phi_2417_ = _e1870;
+                                                        let _e2098 = phi_2835_;
+                                                        phi_2836_ = _e2098;
                                                     } else {
-                                                        phi_2417_ = _e1068;
+                                                        phi_2836_ = _e1296;
                                                     }
-                                                    let _e1872 = phi_2417_;
-                                                    phi_2418_ = _e1872;
+                                                    let _e2100 = phi_2836_;
+                                                    phi_2837_ = _e2100;
                                                 } else {
-                                                    phi_2418_ = _e1068;
+                                                    phi_2837_ = _e1296;
                                                 }
-                                                let _e1874 = phi_2418_;
-                                                phi_1086_ = _e1874;
+                                                let _e2102 = phi_2837_;
+                                                phi_1505_ = _e2102;
                                             } else {
-                                                phi_1086_ = type_47();
+                                                phi_1505_ = type_47();
                                             }
-                                            let _e1876 = phi_1086_;
+                                            let _e2104 = phi_1505_;
                                             continue;
                                             continuing {
-                                                phi_1085_ = _e1876;
-                                                phi_1088_ = _e1083;
-                                                phi_3962_ = _e579;
-                                                break if !(_e1089);
+                                                phi_1504_ = _e2104;
+                                                phi_1507_ = _e1311;
+                                                phi_4487_ = _e801;
+                                                break if !(_e1317);
                                             }
                                         }
-                                        let _e1879 = phi_3962_;
-                                        phi_4128_ = _e1879;
-                                        if _e1879 {
+                                        let _e2107 = phi_4487_;
+                                        phi_4679_ = _e2107;
+                                        if _e2107 {
                                             break;
                                         }
-                                        phi_4132_ = _e1879;
-                                        let _e2113 = local_11;
-                                        phi_3623_ = _e2113;
-                                        phi_3624_ = _e620;
-                                        phi_3625_ = false;
-                                        phi_3626_ = _e624;
+                                        phi_4683_ = _e2107;
+                                        let _e2440 = local_11;
+                                        phi_4042_ = _e2440;
+                                        phi_4043_ = _e842;
+                                        phi_4044_ = false;
+                                        phi_4045_ = _e846;
                                     } else {
-                                        if (_e620.member_1 >= _e98) {
-                                            phi_3179_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e842.member_1 >= _e105) {
+                                            phi_3598_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e620.member_1 < _e98) {
+                                            if (_e842.member_1 < _e105) {
                                             } else {
-                                                phi_4128_ = true;
+                                                phi_4679_ = true;
                                                 break;
                                             }
-                                            let _e636 = ((1u + _e359) % 4u);
-                                            if (_e636 < 4u) {
+                                            let _e858 = ((1u + _e426) % 4u);
+                                            if (_e858 < 4u) {
                                             } else {
-                                                phi_4128_ = true;
+                                                phi_4679_ = true;
                                                 break;
                                             }
-                                            let _e641 = global_4.member[_e620.member_1][_e636];
-                                            let _e643 = (_e641 >> bitcast<u32>(11u));
-                                            let _e645 = ((1u + _e358) % 4u);
-                                            if (_e645 < 4u) {
+                                            let _e863 = global_4.member[_e842.member_1][_e858];
+                                            let _e865 = (_e863 >> bitcast<u32>(11u));
+                                            let _e867 = ((1u + _e425) % 4u);
+                                            if (_e867 < 4u) {
                                             } else {
-                                                phi_4128_ = true;
+                                                phi_4679_ = true;
                                                 break;
                                             }
-                                            let _e650 = global_4.member[_e620.member_1][_e645];
-                                            let _e652 = (_e650 >> bitcast<u32>(11u));
-                                            let _e654 = ((1u + _e360) % 4u);
-                                            if (_e654 < 4u) {
+                                            let _e872 = global_4.member[_e842.member_1][_e867];
+                                            let _e874 = (_e872 >> bitcast<u32>(11u));
+                                            let _e876 = ((1u + _e427) % 4u);
+                                            if (_e876 < 4u) {
                                             } else {
-                                                phi_4128_ = true;
+                                                phi_4679_ = true;
                                                 break;
                                             }
-                                            let _e659 = global_4.member[_e620.member_1][_e654];
-                                            let _e661 = (_e659 >> bitcast<u32>(11u));
-                                            let _e684 = (bitcast<f32>((bitcast<u32>((_e620.member.member_1.x - _e620.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e685 = (bitcast<f32>((bitcast<u32>((_e620.member.member_1.y - _e620.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e686 = (bitcast<f32>((bitcast<u32>((_e620.member.member_1.z - _e620.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e688 = select(_e156, _e684, (_e684 > _e156));
-                                            let _e690 = select(_e156, _e685, (_e685 > _e156));
-                                            let _e692 = select(_e156, _e686, (_e686 > _e156));
-                                            let _e717 = bitcast<u32>((f32(bitcast<i32>((_e641 & 1023u))) * _e688));
-                                            let _e722 = (bitcast<i32>((_e641 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e725 = bitcast<f32>((_e717 & bitcast<u32>(_e722)));
-                                            let _e726 = bitcast<u32>((f32(bitcast<i32>((_e650 & 1023u))) * _e690));
-                                            let _e731 = (bitcast<i32>((_e650 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e734 = bitcast<f32>((_e726 & bitcast<u32>(_e731)));
-                                            let _e735 = bitcast<u32>((f32(bitcast<i32>((_e659 & 1023u))) * _e692));
-                                            let _e740 = (bitcast<i32>((_e659 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e743 = bitcast<f32>((_e735 & bitcast<u32>(_e740)));
-                                            let _e747 = bitcast<f32>((_e717 & bitcast<u32>(~(_e722))));
-                                            let _e751 = bitcast<f32>((_e726 & bitcast<u32>(~(_e731))));
-                                            let _e755 = bitcast<f32>((_e735 & bitcast<u32>(~(_e740))));
-                                            let _e756 = bitcast<u32>((f32(bitcast<i32>((_e643 & 1023u))) * _e688));
-                                            let _e761 = (bitcast<i32>((_e643 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e764 = bitcast<f32>((_e756 & bitcast<u32>(_e761)));
-                                            let _e765 = bitcast<u32>((f32(bitcast<i32>((_e652 & 1023u))) * _e690));
-                                            let _e770 = (bitcast<i32>((_e652 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e773 = bitcast<f32>((_e765 & bitcast<u32>(_e770)));
-                                            let _e774 = bitcast<u32>((f32(bitcast<i32>((_e661 & 1023u))) * _e692));
-                                            let _e779 = (bitcast<i32>((_e661 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e782 = bitcast<f32>((_e774 & bitcast<u32>(_e779)));
-                                            let _e786 = bitcast<f32>((_e756 & bitcast<u32>(~(_e761))));
-                                            let _e790 = bitcast<f32>((_e765 & bitcast<u32>(~(_e770))));
-                                            let _e794 = bitcast<f32>((_e774 & bitcast<u32>(~(_e779))));
-                                            let _e824 = global_4.member[_e620.member_1][0u];
-                                            let _e828 = global_4.member[_e620.member_1][1u];
-                                            let _e832 = global_4.member[_e620.member_1][2u];
-                                            let _e836 = global_4.member[_e620.member_1][3u];
-                                            let _e848 = (((_e828 >> bitcast<u32>(22i)) | ((_e832 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e836 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e849 = (_e824 & 268435455u);
-                                            let _e850 = (_e848 & 268435455u);
-                                            let _e853 = ((_e824 >> bitcast<u32>(28u)) & 7u);
-                                            let _e861 = ((_e824 >> bitcast<u32>(31i)) | (((_e848 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e862 = (_e853 != 0u);
-                                            if (_e853 == 0u) {
-                                                phi_3141_ = _e849;
+                                            let _e881 = global_4.member[_e842.member_1][_e876];
+                                            let _e883 = (_e881 >> bitcast<u32>(11u));
+                                            let _e906 = (bitcast<f32>((bitcast<u32>((_e842.member.member_1.x - _e842.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e907 = (bitcast<f32>((bitcast<u32>((_e842.member.member_1.y - _e842.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e908 = (bitcast<f32>((bitcast<u32>((_e842.member.member_1.z - _e842.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e910 = select(_e163, _e906, (_e906 > _e163));
+                                            let _e912 = select(_e163, _e907, (_e907 > _e163));
+                                            let _e914 = select(_e163, _e908, (_e908 > _e163));
+                                            let _e945 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e863 & 1023u))) - 8388608f) * _e910));
+                                            let _e950 = (bitcast<i32>((_e863 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e953 = bitcast<f32>((_e945 & bitcast<u32>(_e950)));
+                                            let _e954 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e872 & 1023u))) - 8388608f) * _e912));
+                                            let _e959 = (bitcast<i32>((_e872 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e962 = bitcast<f32>((_e954 & bitcast<u32>(_e959)));
+                                            let _e963 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e881 & 1023u))) - 8388608f) * _e914));
+                                            let _e968 = (bitcast<i32>((_e881 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e971 = bitcast<f32>((_e963 & bitcast<u32>(_e968)));
+                                            let _e975 = bitcast<f32>((_e945 & bitcast<u32>(~(_e950))));
+                                            let _e979 = bitcast<f32>((_e954 & bitcast<u32>(~(_e959))));
+                                            let _e983 = bitcast<f32>((_e963 & bitcast<u32>(~(_e968))));
+                                            let _e984 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e865 & 1023u))) - 8388608f) * _e910));
+                                            let _e989 = (bitcast<i32>((_e865 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e992 = bitcast<f32>((_e984 & bitcast<u32>(_e989)));
+                                            let _e993 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e874 & 1023u))) - 8388608f) * _e912));
+                                            let _e998 = (bitcast<i32>((_e874 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1001 = bitcast<f32>((_e993 & bitcast<u32>(_e998)));
+                                            let _e1002 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e883 & 1023u))) - 8388608f) * _e914));
+                                            let _e1007 = (bitcast<i32>((_e883 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1010 = bitcast<f32>((_e1002 & bitcast<u32>(_e1007)));
+                                            let _e1014 = bitcast<f32>((_e984 & bitcast<u32>(~(_e989))));
+                                            let _e1018 = bitcast<f32>((_e993 & bitcast<u32>(~(_e998))));
+                                            let _e1022 = bitcast<f32>((_e1002 & bitcast<u32>(~(_e1007))));
+                                            let _e1052 = global_4.member[_e842.member_1][0u];
+                                            let _e1056 = global_4.member[_e842.member_1][1u];
+                                            let _e1060 = global_4.member[_e842.member_1][2u];
+                                            let _e1064 = global_4.member[_e842.member_1][3u];
+                                            let _e1076 = (((_e1056 >> bitcast<u32>(22i)) | ((_e1060 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1064 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1077 = (_e1052 & 268435455u);
+                                            let _e1078 = (_e1076 & 268435455u);
+                                            let _e1081 = ((_e1052 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1089 = ((_e1052 >> bitcast<u32>(31i)) | (((_e1076 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1090 = (_e1081 != 0u);
+                                            if (_e1081 == 0u) {
+                                                phi_3560_ = _e1077;
                                             } else {
-                                                if (_e853 == 7u) {
-                                                    phi_3140_ = 2147483648u;
+                                                if (_e1081 == 7u) {
+                                                    phi_3559_ = 2147483648u;
                                                 } else {
-                                                    phi_3140_ = ((2147483648u | (_e853 << bitcast<u32>(28u))) | (_e850 & 268435455u));
+                                                    phi_3559_ = ((2147483648u | (_e1081 << bitcast<u32>(28u))) | (_e1078 & 268435455u));
                                                 }
-                                                let _e871 = phi_3140_;
-                                                phi_3141_ = _e871;
+                                                let _e1099 = phi_3559_;
+                                                phi_3560_ = _e1099;
                                             }
-                                            let _e873 = phi_3141_;
-                                            if _e862 {
-                                                let _e874 = (_e853 != 7u);
-                                                if _e874 {
-                                                    phi_3151_ = (_e850 + _e853);
+                                            let _e1101 = phi_3560_;
+                                            if _e1090 {
+                                                let _e1102 = (_e1081 != 7u);
+                                                if _e1102 {
+                                                    phi_3570_ = (_e1078 + _e1081);
                                                 } else {
-                                                    phi_3151_ = u32();
+                                                    phi_3570_ = u32();
                                                 }
-                                                let _e877 = phi_3151_;
-                                                phi_3153_ = _e877;
-                                                phi_3154_ = select(true, false, _e874);
+                                                let _e1105 = phi_3570_;
+                                                phi_3572_ = _e1105;
+                                                phi_3573_ = select(true, false, _e1102);
                                             } else {
-                                                phi_3153_ = u32();
-                                                phi_3154_ = true;
+                                                phi_3572_ = u32();
+                                                phi_3573_ = true;
                                             }
-                                            let _e880 = phi_3153_;
-                                            let _e882 = phi_3154_;
-                                            if (_e861 == 0u) {
-                                                phi_3175_ = (_e849 + select(0u, 1u, !(_e862)));
+                                            let _e1108 = phi_3572_;
+                                            let _e1110 = phi_3573_;
+                                            if (_e1089 == 0u) {
+                                                phi_3594_ = (_e1077 + select(0u, 1u, !(_e1090)));
                                             } else {
-                                                if (_e861 == 7u) {
-                                                    phi_3174_ = 2147483648u;
+                                                if (_e1089 == 7u) {
+                                                    phi_3593_ = 2147483648u;
                                                 } else {
-                                                    phi_3174_ = ((2147483648u | (_e861 << bitcast<u32>(28u))) | (select(_e880, _e850, _e882) & 268435455u));
+                                                    phi_3593_ = ((2147483648u | (_e1089 << bitcast<u32>(28u))) | (select(_e1108, _e1078, _e1110) & 268435455u));
                                                 }
-                                                let _e895 = phi_3174_;
-                                                phi_3175_ = _e895;
+                                                let _e1123 = phi_3593_;
+                                                phi_3594_ = _e1123;
                                             }
-                                            let _e897 = phi_3175_;
-                                            phi_3179_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e620.member.member.x + _e725), (_e620.member.member.x + _e747), (_e620.member.member_1.x - _e764), (_e620.member.member_1.x - _e786)), vec4<f32>((_e620.member.member.y + _e734), (_e620.member.member.y + _e751), (_e620.member.member_1.y - _e773), (_e620.member.member_1.y - _e790)), vec4<f32>((_e620.member.member.z + _e743), (_e620.member.member.z + _e755), (_e620.member.member_1.z - _e782), (_e620.member.member_1.z - _e794))), type_62(type_42((_e620.member.member + vec4<f32>(_e725, _e734, _e743, 0f)), (_e620.member.member_1 - vec4<f32>(_e764, _e773, _e782, 0f))), _e873), type_62(type_42((_e620.member.member + vec4<f32>(_e747, _e751, _e755, 0f)), (_e620.member.member_1 - vec4<f32>(_e786, _e790, _e794, 0f))), _e897));
+                                            let _e1125 = phi_3594_;
+                                            phi_3598_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e842.member.member.x + _e953), (_e842.member.member.x + _e975), (_e842.member.member_1.x - _e992), (_e842.member.member_1.x - _e1014)), vec4<f32>((_e842.member.member.y + _e962), (_e842.member.member.y + _e979), (_e842.member.member_1.y - _e1001), (_e842.member.member_1.y - _e1018)), vec4<f32>((_e842.member.member.z + _e971), (_e842.member.member.z + _e983), (_e842.member.member_1.z - _e1010), (_e842.member.member_1.z - _e1022))), type_62(type_42((_e842.member.member + vec4<f32>(_e953, _e962, _e971, 0f)), (_e842.member.member_1 - vec4<f32>(_e992, _e1001, _e1010, 0f))), _e1101), type_62(type_42((_e842.member.member + vec4<f32>(_e975, _e979, _e983, 0f)), (_e842.member.member_1 - vec4<f32>(_e1014, _e1018, _e1022, 0f))), _e1125));
                                         }
-                                        let _e902 = phi_3179_;
-                                        let _e914 = ((_e902.member[0].x - _e414) * _e419);
-                                        let _e915 = ((_e902.member[0].y - _e414) * _e419);
-                                        let _e916 = ((_e902.member[0].z - _e415) * _e419);
-                                        let _e917 = ((_e902.member[0].w - _e415) * _e419);
-                                        let _e927 = ((_e902.member[1].x - _e450) * _e455);
-                                        let _e928 = ((_e902.member[1].y - _e450) * _e455);
-                                        let _e929 = ((_e902.member[1].z - _e451) * _e455);
-                                        let _e930 = ((_e902.member[1].w - _e451) * _e455);
-                                        let _e940 = ((_e902.member[2].x - _e486) * _e491);
-                                        let _e941 = ((_e902.member[2].y - _e486) * _e491);
-                                        let _e942 = ((_e902.member[2].z - _e487) * _e491);
-                                        let _e943 = ((_e902.member[2].w - _e487) * _e491);
-                                        let _e945 = select(_e942, _e940, (_e940 < _e942));
-                                        let _e947 = select(_e943, _e941, (_e941 < _e943));
-                                        let _e949 = select(_e942, _e940, (_e940 > _e942));
-                                        let _e951 = select(_e943, _e941, (_e941 > _e943));
-                                        let _e953 = select(_e916, _e914, (_e914 < _e916));
-                                        let _e955 = select(_e917, _e915, (_e915 < _e917));
-                                        let _e957 = select(_e929, _e927, (_e927 < _e929));
-                                        let _e959 = select(_e930, _e928, (_e928 < _e930));
-                                        let _e961 = select(_e957, _e953, (_e953 > _e957));
-                                        let _e963 = select(_e959, _e955, (_e955 > _e959));
-                                        let _e965 = select(_e945, _e961, (_e961 > _e945));
-                                        let _e967 = select(_e947, _e963, (_e963 > _e947));
-                                        let _e969 = select(_e916, _e914, (_e914 > _e916));
-                                        let _e971 = select(_e917, _e915, (_e915 > _e917));
-                                        let _e973 = select(_e929, _e927, (_e927 > _e929));
-                                        let _e975 = select(_e930, _e928, (_e928 > _e930));
-                                        let _e977 = select(_e973, _e969, (_e969 < _e973));
-                                        let _e979 = select(_e975, _e971, (_e971 < _e975));
-                                        let _e984 = -(_e945);
-                                        let _e985 = -(_e947);
-                                        let _e992 = (select(_e949, _e977, (_e977 < _e949)) + (select(_e984, _e949, (_e949 > _e984)) * 0.0000019073523f));
-                                        let _e993 = (select(_e951, _e979, (_e979 < _e951)) + (select(_e985, _e951, (_e951 > _e985)) * 0.0000019073523f));
-                                        let _e995 = select(_e537, _e965, (_e965 > _e537));
-                                        let _e997 = select(_e537, _e967, (_e967 > _e537));
-                                        let _e1002 = (_e995 <= select(_e581.member_1, _e992, (_e992 < _e581.member_1)));
-                                        let _e1003 = (_e997 <= select(_e581.member_1, _e993, (_e993 < _e581.member_1)));
-                                        let _e1004 = (_e995 <= _e997);
-                                        if _e1002 {
-                                            if _e1003 {
-                                                if _e1004 {
-                                                    phi_3523_ = _e902.member_2;
+                                        let _e1130 = phi_3598_;
+                                        let _e1142 = ((_e1130.member[0].x - _e511) * _e516);
+                                        let _e1143 = ((_e1130.member[0].y - _e511) * _e516);
+                                        let _e1144 = ((_e1130.member[0].z - _e512) * _e516);
+                                        let _e1145 = ((_e1130.member[0].w - _e512) * _e516);
+                                        let _e1155 = ((_e1130.member[1].x - _e577) * _e582);
+                                        let _e1156 = ((_e1130.member[1].y - _e577) * _e582);
+                                        let _e1157 = ((_e1130.member[1].z - _e578) * _e582);
+                                        let _e1158 = ((_e1130.member[1].w - _e578) * _e582);
+                                        let _e1168 = ((_e1130.member[2].x - _e643) * _e648);
+                                        let _e1169 = ((_e1130.member[2].y - _e643) * _e648);
+                                        let _e1170 = ((_e1130.member[2].z - _e644) * _e648);
+                                        let _e1171 = ((_e1130.member[2].w - _e644) * _e648);
+                                        let _e1173 = select(_e1170, _e1168, (_e1168 < _e1170));
+                                        let _e1175 = select(_e1171, _e1169, (_e1169 < _e1171));
+                                        let _e1177 = select(_e1170, _e1168, (_e1168 > _e1170));
+                                        let _e1179 = select(_e1171, _e1169, (_e1169 > _e1171));
+                                        let _e1181 = select(_e1144, _e1142, (_e1142 < _e1144));
+                                        let _e1183 = select(_e1145, _e1143, (_e1143 < _e1145));
+                                        let _e1185 = select(_e1157, _e1155, (_e1155 < _e1157));
+                                        let _e1187 = select(_e1158, _e1156, (_e1156 < _e1158));
+                                        let _e1189 = select(_e1185, _e1181, (_e1181 > _e1185));
+                                        let _e1191 = select(_e1187, _e1183, (_e1183 > _e1187));
+                                        let _e1193 = select(_e1173, _e1189, (_e1189 > _e1173));
+                                        let _e1195 = select(_e1175, _e1191, (_e1191 > _e1175));
+                                        let _e1197 = select(_e1144, _e1142, (_e1142 > _e1144));
+                                        let _e1199 = select(_e1145, _e1143, (_e1143 > _e1145));
+                                        let _e1201 = select(_e1157, _e1155, (_e1155 > _e1157));
+                                        let _e1203 = select(_e1158, _e1156, (_e1156 > _e1158));
+                                        let _e1205 = select(_e1201, _e1197, (_e1197 < _e1201));
+                                        let _e1207 = select(_e1203, _e1199, (_e1199 < _e1203));
+                                        let _e1212 = -(_e1173);
+                                        let _e1213 = -(_e1175);
+                                        let _e1220 = (select(_e1177, _e1205, (_e1205 < _e1177)) + (select(_e1212, _e1177, (_e1177 > _e1212)) * 0.0000019073523f));
+                                        let _e1221 = (select(_e1179, _e1207, (_e1207 < _e1179)) + (select(_e1213, _e1179, (_e1179 > _e1213)) * 0.0000019073523f));
+                                        let _e1223 = select(_e759, _e1193, (_e1193 > _e759));
+                                        let _e1225 = select(_e759, _e1195, (_e1195 > _e759));
+                                        let _e1230 = (_e1223 <= select(_e803.member_1, _e1220, (_e1220 < _e803.member_1)));
+                                        let _e1231 = (_e1225 <= select(_e803.member_1, _e1221, (_e1221 < _e803.member_1)));
+                                        let _e1232 = (_e1223 <= _e1225);
+                                        if _e1230 {
+                                            if _e1231 {
+                                                if _e1232 {
+                                                    phi_3942_ = _e1130.member_2;
                                                 } else {
-                                                    phi_3523_ = _e902.member_1;
+                                                    phi_3942_ = _e1130.member_1;
                                                 }
-                                                let _e1008 = phi_3523_;
-                                                let _e1030 = (_e624 % 128u);
-                                                let _e1031 = (_e1030 < 128u);
-                                                if _e1031 {
+                                                let _e1236 = phi_3942_;
+                                                let _e1258 = (_e846 % 128u);
+                                                let _e1259 = (_e1258 < 128u);
+                                                if _e1259 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1030] = _e1008.member_1;
-                                                if _e1031 {
+                                                local_8[_e1258] = _e1236.member_1;
+                                                if _e1259 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1030] = _e1008.member.member.x;
-                                                if _e1031 {
+                                                local_7[_e1258] = _e1236.member.member.x;
+                                                if _e1259 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1030] = _e1008.member.member.y;
-                                                if _e1031 {
+                                                local_6[_e1258] = _e1236.member.member.y;
+                                                if _e1259 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1030] = _e1008.member.member.z;
-                                                if _e1031 {
+                                                local_5[_e1258] = _e1236.member.member.z;
+                                                if _e1259 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1030] = _e1008.member.member_1.x;
-                                                if _e1031 {
+                                                local_4[_e1258] = _e1236.member.member_1.x;
+                                                if _e1259 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1030] = _e1008.member.member_1.y;
-                                                if _e1031 {
+                                                local_3[_e1258] = _e1236.member.member_1.y;
+                                                if _e1259 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1030] = _e1008.member.member_1.z;
-                                                if _e1031 {
+                                                local_2[_e1258] = _e1236.member.member_1.z;
+                                                if _e1259 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1030] = select(_e997, _e995, (_e995 > _e997));
-                                                if _e1004 {
-                                                    phi_3600_ = _e902.member_1;
+                                                local_9[_e1258] = select(_e1225, _e1223, (_e1223 > _e1225));
+                                                if _e1232 {
+                                                    phi_4019_ = _e1130.member_1;
                                                 } else {
-                                                    phi_3600_ = _e902.member_2;
+                                                    phi_4019_ = _e1130.member_2;
                                                 }
-                                                let _e1044 = phi_3600_;
-                                                phi_3601_ = _e1044;
-                                                phi_3602_ = (_e624 + 1u);
+                                                let _e1272 = phi_4019_;
+                                                phi_4020_ = _e1272;
+                                                phi_4021_ = (_e846 + 1u);
                                             } else {
-                                                phi_3601_ = type_62();
-                                                phi_3602_ = u32();
+                                                phi_4020_ = type_62();
+                                                phi_4021_ = u32();
                                             }
-                                            let _e1046 = phi_3601_;
-                                            let _e1048 = phi_3602_;
-                                            phi_3604_ = _e1046;
-                                            phi_3605_ = _e1048;
-                                            phi_3606_ = select(true, false, _e1003);
+                                            let _e1274 = phi_4020_;
+                                            let _e1276 = phi_4021_;
+                                            phi_4023_ = _e1274;
+                                            phi_4024_ = _e1276;
+                                            phi_4025_ = select(true, false, _e1231);
                                         } else {
-                                            phi_3604_ = type_62();
-                                            phi_3605_ = u32();
-                                            phi_3606_ = true;
+                                            phi_4023_ = type_62();
+                                            phi_4024_ = u32();
+                                            phi_4025_ = true;
                                         }
-                                        let _e1051 = phi_3604_;
-                                        let _e1053 = phi_3605_;
-                                        let _e1055 = phi_3606_;
-                                        if _e1055 {
-                                            if _e1002 {
-                                                phi_3615_ = _e902.member_1;
+                                        let _e1279 = phi_4023_;
+                                        let _e1281 = phi_4024_;
+                                        let _e1283 = phi_4025_;
+                                        if _e1283 {
+                                            if _e1230 {
+                                                phi_4034_ = _e1130.member_1;
                                             } else {
-                                                phi_3615_ = _e902.member_2;
+                                                phi_4034_ = _e1130.member_2;
                                             }
-                                            let _e1059 = phi_3615_;
-                                            phi_3620_ = _e1059;
-                                            phi_3621_ = select(_e1003, true, _e1002);
+                                            let _e1287 = phi_4034_;
+                                            phi_4039_ = _e1287;
+                                            phi_4040_ = select(_e1231, true, _e1230);
                                         } else {
-                                            phi_3620_ = _e1051;
-                                            phi_3621_ = _e622;
+                                            phi_4039_ = _e1279;
+                                            phi_4040_ = _e844;
                                         }
-                                        let _e1062 = phi_3620_;
-                                        let _e1064 = phi_3621_;
-                                        phi_4132_ = _e579;
-                                        phi_3623_ = _e581;
-                                        phi_3624_ = _e1062;
-                                        phi_3625_ = _e1064;
-                                        phi_3626_ = select(_e1053, _e624, _e1055);
+                                        let _e1290 = phi_4039_;
+                                        let _e1292 = phi_4040_;
+                                        phi_4683_ = _e801;
+                                        phi_4042_ = _e803;
+                                        phi_4043_ = _e1290;
+                                        phi_4044_ = _e1292;
+                                        phi_4045_ = select(_e1281, _e846, _e1283);
                                     }
-                                    let _e1881 = phi_4132_;
-                                    let _e1883 = phi_3623_;
-                                    let _e1885 = phi_3624_;
-                                    let _e1887 = phi_3625_;
-                                    let _e1889 = phi_3626_;
-                                    phi_4131_ = _e1881;
-                                    phi_3627_ = _e1883;
-                                    phi_3628_ = _e1885;
-                                    phi_3629_ = (_e585 - 1u);
-                                    phi_3630_ = _e1887;
-                                    phi_3631_ = _e1889;
+                                    let _e2109 = phi_4683_;
+                                    let _e2111 = phi_4042_;
+                                    let _e2113 = phi_4043_;
+                                    let _e2115 = phi_4044_;
+                                    let _e2117 = phi_4045_;
+                                    phi_4682_ = _e2109;
+                                    phi_4046_ = _e2111;
+                                    phi_4047_ = _e2113;
+                                    phi_4048_ = (_e807 - 1u);
+                                    phi_4049_ = _e2115;
+                                    phi_4050_ = _e2117;
                                 } else {
-                                    phi_4131_ = _e579;
-                                    phi_3627_ = _e581;
-                                    phi_3628_ = _e620;
-                                    phi_3629_ = _e585;
-                                    phi_3630_ = _e622;
-                                    phi_3631_ = _e624;
+                                    phi_4682_ = _e801;
+                                    phi_4046_ = _e803;
+                                    phi_4047_ = _e842;
+                                    phi_4048_ = _e807;
+                                    phi_4049_ = _e844;
+                                    phi_4050_ = _e846;
                                 }
-                                let _e1891 = phi_4131_;
-                                let _e1893 = phi_3627_;
-                                let _e1895 = phi_3628_;
-                                let _e1897 = phi_3629_;
-                                let _e1899 = phi_3630_;
-                                let _e1901 = phi_3631_;
-                                phi_4130_ = _e1891;
-                                phi_3632_ = _e1893;
-                                phi_3633_ = _e1895;
-                                phi_3634_ = _e1897;
-                                phi_3635_ = _e1899;
-                                phi_3636_ = _e1901;
+                                let _e2119 = phi_4682_;
+                                let _e2121 = phi_4046_;
+                                let _e2123 = phi_4047_;
+                                let _e2125 = phi_4048_;
+                                let _e2127 = phi_4049_;
+                                let _e2129 = phi_4050_;
+                                phi_4681_ = _e2119;
+                                phi_4051_ = _e2121;
+                                phi_4052_ = _e2123;
+                                phi_4053_ = _e2125;
+                                phi_4054_ = _e2127;
+                                phi_4055_ = _e2129;
                             } else {
-                                phi_4130_ = _e579;
-                                phi_3632_ = type_47();
-                                phi_3633_ = type_62();
-                                phi_3634_ = u32();
-                                phi_3635_ = bool();
-                                phi_3636_ = u32();
+                                phi_4681_ = _e801;
+                                phi_4051_ = type_47();
+                                phi_4052_ = type_62();
+                                phi_4053_ = u32();
+                                phi_4054_ = bool();
+                                phi_4055_ = u32();
                             }
-                            let _e1903 = phi_4130_;
-                            let _e1905 = phi_3632_;
-                            let _e1907 = phi_3633_;
-                            let _e1909 = phi_3634_;
-                            let _e1911 = phi_3635_;
-                            let _e1913 = phi_3636_;
-                            phi_4129_ = _e1903;
-                            phi_960_ = _e1905;
-                            phi_963_ = _e1907;
-                            phi_965_ = _e1909;
-                            phi_967_ = _e1911;
-                            phi_969_ = _e1913;
-                            phi_3637_ = _e593;
+                            let _e2131 = phi_4681_;
+                            let _e2133 = phi_4051_;
+                            let _e2135 = phi_4052_;
+                            let _e2137 = phi_4053_;
+                            let _e2139 = phi_4054_;
+                            let _e2141 = phi_4055_;
+                            phi_4680_ = _e2131;
+                            phi_1379_ = _e2133;
+                            phi_1382_ = _e2135;
+                            phi_1384_ = _e2137;
+                            phi_1386_ = _e2139;
+                            phi_1388_ = _e2141;
+                            phi_4056_ = _e815;
                         } else {
-                            phi_4129_ = _e579;
-                            phi_960_ = type_47();
-                            phi_963_ = type_62();
-                            phi_965_ = u32();
-                            phi_967_ = bool();
-                            phi_969_ = u32();
-                            phi_3637_ = false;
+                            phi_4680_ = _e801;
+                            phi_1379_ = type_47();
+                            phi_1382_ = type_62();
+                            phi_1384_ = u32();
+                            phi_1386_ = bool();
+                            phi_1388_ = u32();
+                            phi_4056_ = false;
                         }
-                        let _e1915 = phi_4129_;
-                        let _e1917 = phi_960_;
-                        let _e1919 = phi_963_;
-                        let _e1921 = phi_965_;
-                        let _e1923 = phi_967_;
-                        let _e1925 = phi_969_;
-                        let _e1927 = phi_3637_;
+                        let _e2143 = phi_4680_;
+                        let _e2145 = phi_1379_;
+                        let _e2147 = phi_1382_;
+                        let _e2149 = phi_1384_;
+                        let _e2151 = phi_1386_;
+                        let _e2153 = phi_1388_;
+                        let _e2155 = phi_4056_;
                         continue;
                         continuing {
-                            phi_3968_ = _e1915;
-                            phi_959_ = _e1917;
-                            phi_962_ = _e1919;
-                            phi_964_ = _e1921;
-                            phi_966_ = _e1923;
-                            phi_968_ = _e1925;
-                            phi_4128_ = _e1915;
-                            break if !(_e1927);
+                            phi_4493_ = _e2143;
+                            phi_1378_ = _e2145;
+                            phi_1381_ = _e2147;
+                            phi_1383_ = _e2149;
+                            phi_1385_ = _e2151;
+                            phi_1387_ = _e2153;
+                            phi_4679_ = _e2143;
+                            break if !(_e2155);
                         }
                     }
-                    let _e1930 = phi_4128_;
-                    if _e1930 {
+                    let _e2158 = phi_4679_;
+                    if _e2158 {
                         break;
                     }
-                    let _e1932 = local_10;
-                    if (_e1932.member.member_3 != 4294967295u) {
-                        let _e1937 = (_e361 / 3i);
-                        let _e1944 = bitcast<f32>((bitcast<u32>((_e1937 + 127i)) << bitcast<u32>(23i)));
-                        let _e1952 = (((_e1932.member.member * _e1944) * _e1944) * bitcast<f32>((bitcast<u32>(((_e361 - (2i * _e1937)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1954 = select(340282350000000000000000000000000000000f, _e1952, (_e1952 < 340282350000000000000000000000000000000f));
-                        phi_3689_ = type_30(select(-340282350000000000000000000000000000000f, _e1954, (_e1954 > -340282350000000000000000000000000000000f)), _e1932.member.member_1, _e1932.member.member_2, _e1932.member.member_3);
+                    let _e2160 = local_10;
+                    if (_e2160.member.member_3 != 4294967295u) {
+                        let _e2165 = bitcast<u32>(_e2160.member.member);
+                        let _e2169 = (bitcast<i32>((_e2165 >> bitcast<u32>(23i))) & 255i);
+                        let _e2170 = (_e2169 + _e428);
+                        if (_e2169 == 255i) {
+                            phi_4115_ = _e2160.member.member;
+                        } else {
+                            if (_e2169 > 0i) {
+                                if (_e2170 > 0i) {
+                                    let _e2174 = (_e2170 < 255i);
+                                    if _e2174 {
+                                        phi_4094_ = bitcast<f32>((_e2165 + bitcast<u32>((_e428 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_4094_ = f32();
+                                    }
+                                    let _e2181 = phi_4094_;
+                                    phi_4096_ = _e2181;
+                                    phi_4097_ = select(true, false, _e2174);
+                                } else {
+                                    phi_4096_ = f32();
+                                    phi_4097_ = true;
+                                }
+                                let _e2184 = phi_4096_;
+                                let _e2186 = phi_4097_;
+                                phi_4098_ = _e2184;
+                                phi_4099_ = _e2186;
+                            } else {
+                                phi_4098_ = f32();
+                                phi_4099_ = true;
+                            }
+                            let _e2188 = phi_4098_;
+                            let _e2190 = phi_4099_;
+                            if _e2190 {
+                                let _e2191 = (_e2165 & 2147483648u);
+                                let _e2198 = ((_e2165 & 8388607u) | (select(0u, 1u, ((_e2165 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2202 = (_e2198 == 0u);
+                                if _e2202 {
+                                    phi_4445_ = bitcast<f32>(_e2191);
+                                } else {
+                                    let _e2207 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2198)), 32u, _e2202) - 8u);
+                                    let _e2210 = (_e2198 << bitcast<u32>((_e2207 & 31u)));
+                                    let _e2212 = ((_e2170 + select(0i, 1i, (_e2169 == 0i))) - bitcast<i32>(_e2207));
+                                    if (_e2212 >= 255i) {
+                                        phi_4435_ = bitcast<f32>((_e2191 | 2139095040u));
+                                        phi_4436_ = f32();
+                                        phi_4437_ = true;
+                                    } else {
+                                        let _e2214 = (_e2212 > 0i);
+                                        if _e2214 {
+                                            phi_4429_ = bitcast<f32>(((_e2191 | (bitcast<u32>(_e2212) << bitcast<u32>(23i))) | (_e2210 & 8388607u)));
+                                            phi_4430_ = f32();
+                                        } else {
+                                            if (_e2212 < -24i) {
+                                                phi_4395_ = 26u;
+                                            } else {
+                                                phi_4395_ = bitcast<u32>((1i - _e2212));
+                                            }
+                                            let _e2219 = phi_4395_;
+                                            let _e2220 = (_e2219 & 31u);
+                                            let _e2222 = (_e2210 >> bitcast<u32>(_e2220));
+                                            let _e2226 = (_e2210 & ((1u << bitcast<u32>(_e2220)) - 1u));
+                                            let _e2230 = (1u << bitcast<u32>(((_e2219 - 1u) & 31u)));
+                                            if (_e2226 > _e2230) {
+                                                phi_4416_ = true;
+                                            } else {
+                                                if (_e2226 == _e2230) {
+                                                    phi_4413_ = ((_e2222 & 1u) == 1u);
+                                                } else {
+                                                    phi_4413_ = false;
+                                                }
+                                                let _e2236 = phi_4413_;
+                                                phi_4416_ = _e2236;
+                                            }
+                                            let _e2238 = phi_4416_;
+                                            phi_4429_ = f32();
+                                            phi_4430_ = bitcast<f32>((_e2191 | (_e2222 + select(0u, 1u, _e2238))));
+                                        }
+                                        let _e2251 = phi_4429_;
+                                        let _e2253 = phi_4430_;
+                                        phi_4435_ = _e2251;
+                                        phi_4436_ = _e2253;
+                                        phi_4437_ = _e2214;
+                                    }
+                                    let _e2257 = phi_4435_;
+                                    let _e2259 = phi_4436_;
+                                    let _e2261 = phi_4437_;
+                                    phi_4445_ = select(_e2259, _e2257, _e2261);
+                                }
+                                let _e2265 = phi_4445_;
+                                phi_4114_ = _e2265;
+                            } else {
+                                phi_4114_ = _e2188;
+                            }
+                            let _e2267 = phi_4114_;
+                            phi_4115_ = _e2267;
+                        }
+                        let _e2269 = phi_4115_;
+                        let _e2270 = bitcast<u32>(_e2269);
+                        if ((_e2270 & 2147483647u) >= 2139095040u) {
+                            phi_4127_ = bitcast<f32>(((_e2270 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_4127_ = _e2269;
+                        }
+                        let _e2277 = phi_4127_;
+                        phi_4132_ = type_30(_e2277, _e2160.member.member_1, _e2160.member.member_2, _e2160.member.member_3);
                     } else {
-                        phi_3689_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4132_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1961 = phi_3689_;
-                    if _e238 {
+                    let _e2282 = phi_4132_;
+                    if _e305 {
                     } else {
                         break;
                     }
-                    global_9.member[_e144] = _e1961;
-                    if _e159 {
+                    global_9.member[_e151] = _e2282;
+                    if _e166 {
                     } else {
                         break;
                     }
-                    let _e1965 = select(0u, 1u, (_e305 <= _e315));
-                    if (_e1965 > 0u) {
-                        let _e1967 = (1u < _e112);
-                        if _e1967 {
-                            if (0u < _e112) {
+                    let _e2286 = select(0u, 1u, (_e372 <= _e382));
+                    if (_e2286 > 0u) {
+                        let _e2288 = (1u < _e119);
+                        if _e2288 {
+                            if (0u < _e119) {
                             } else {
                                 break;
                             }
-                            let _e1971 = atomicAdd((&global_10.member[0u]), _e1965);
-                            if ((_e1971 + _e1965) < _e1971) {
-                                if _e1967 {
+                            let _e2292 = atomicAdd((&global_10.member[0u]), _e2286);
+                            if ((_e2292 + _e2286) < _e2292) {
+                                if _e2288 {
                                 } else {
                                     break;
                                 }
-                                let _e1976 = atomicAdd((&global_10.member[1u]), 1u);
+                                let _e2297 = atomicAdd((&global_10.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1979 = select(0u, 1u, (_e1961.member_3 != 4294967295u));
-                    if (_e1979 > 0u) {
-                        let _e1981 = (3u < _e112);
-                        if _e1981 {
-                            if (2u < _e112) {
+                    let _e2300 = select(0u, 1u, (_e2282.member_3 != 4294967295u));
+                    if (_e2300 > 0u) {
+                        let _e2302 = (3u < _e119);
+                        if _e2302 {
+                            if (2u < _e119) {
                             } else {
                                 break;
                             }
-                            let _e1985 = atomicAdd((&global_10.member[2u]), _e1979);
-                            if ((_e1985 + _e1979) < _e1985) {
-                                if _e1981 {
+                            let _e2306 = atomicAdd((&global_10.member[2u]), _e2300);
+                            if ((_e2306 + _e2300) < _e2306) {
+                                if _e2302 {
                                 } else {
                                     break;
                                 }
-                                let _e1990 = atomicAdd((&global_10.member[3u]), 1u);
+                                let _e2311 = atomicAdd((&global_10.member[3u]), 1u);
                             }
                         }
                     }

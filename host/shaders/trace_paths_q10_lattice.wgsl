@@ -118,479 +118,567 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_334_: u32;
-    var phi_378_: i32;
-    var phi_402_: type_39;
-    var phi_508_: i32;
-    var phi_509_: i32;
-    var phi_519_: bool;
-    var phi_529_: u32;
-    var phi_530_: u32;
-    var phi_532_: bool;
-    var phi_537_: u32;
-    var phi_569_: i32;
-    var phi_587_: f32;
-    var phi_593_: f32;
-    var phi_604_: f32;
-    var phi_610_: f32;
-    var phi_633_: f32;
-    var phi_644_: f32;
-    var phi_653_: f32;
-    var phi_659_: f32;
-    var phi_670_: f32;
-    var phi_676_: f32;
-    var phi_699_: f32;
-    var phi_710_: f32;
-    var phi_719_: f32;
-    var phi_725_: f32;
-    var phi_736_: f32;
-    var phi_742_: f32;
-    var phi_765_: f32;
-    var phi_776_: f32;
-    var phi_876_: f32;
-    var phi_877_: f32;
-    var phi_4594_: bool;
-    var phi_966_: type_42;
-    var phi_969_: type_57;
-    var phi_971_: u32;
-    var phi_973_: bool;
-    var phi_975_: u32;
-    var phi_986_: bool;
-    var phi_1072_: type_57;
-    var phi_1073_: bool;
-    var phi_1074_: u32;
-    var phi_3506_: u32;
-    var phi_3512_: u32;
-    var phi_3766_: u32;
-    var phi_3767_: u32;
-    var phi_3777_: u32;
-    var phi_3779_: u32;
-    var phi_3780_: bool;
-    var phi_3800_: u32;
-    var phi_3801_: u32;
-    var phi_3805_: type_58;
-    var phi_4149_: type_57;
-    var phi_4226_: type_57;
-    var phi_4227_: type_57;
-    var phi_4228_: u32;
-    var phi_4230_: type_57;
-    var phi_4231_: u32;
-    var phi_4232_: bool;
-    var phi_4241_: type_57;
-    var phi_4246_: type_57;
-    var phi_4247_: bool;
-    var phi_1093_: type_42;
-    var phi_1096_: type_8;
-    var phi_1097_: type_8;
-    var phi_1119_: type_8;
-    var phi_1160_: u32;
-    var phi_1166_: u32;
-    var phi_1176_: u32;
-    var phi_1192_: u32;
+    var phi_416_: u32;
+    var phi_460_: i32;
+    var phi_600_: type_39;
+    var phi_706_: i32;
+    var phi_707_: i32;
+    var phi_717_: bool;
+    var phi_727_: u32;
+    var phi_728_: u32;
+    var phi_730_: bool;
+    var phi_735_: u32;
+    var phi_767_: i32;
+    var phi_785_: f32;
+    var phi_791_: f32;
+    var phi_831_: f32;
+    var phi_837_: f32;
+    var phi_889_: f32;
+    var phi_900_: f32;
+    var phi_909_: f32;
+    var phi_915_: f32;
+    var phi_955_: f32;
+    var phi_961_: f32;
+    var phi_1013_: f32;
+    var phi_1024_: f32;
+    var phi_1033_: f32;
+    var phi_1039_: f32;
+    var phi_1079_: f32;
+    var phi_1085_: f32;
+    var phi_1137_: f32;
+    var phi_1148_: f32;
+    var phi_1203_: i32;
     var phi_1225_: u32;
-    var phi_1231_: u32;
-    var phi_1658_: u32;
-    var phi_1676_: u32;
-    var phi_1694_: u32;
-    var phi_1714_: u32;
-    var phi_1732_: u32;
-    var phi_1750_: u32;
-    var phi_1770_: u32;
-    var phi_1788_: u32;
-    var phi_1806_: u32;
-    var phi_1384_: u32;
-    var phi_1399_: u32;
-    var phi_1409_: u32;
-    var phi_1429_: u32;
-    var phi_1449_: u32;
-    var phi_1475_: u32;
-    var phi_1490_: u32;
-    var phi_1500_: u32;
-    var phi_1520_: u32;
-    var phi_1540_: u32;
-    var phi_1566_: u32;
-    var phi_1581_: u32;
-    var phi_1591_: u32;
-    var phi_1611_: u32;
-    var phi_1631_: u32;
-    var phi_1255_: u32;
-    var phi_1298_: u32;
-    var phi_1341_: u32;
-    var phi_1812_: array<array<f32, 3>, 3>;
-    var phi_1929_: bool;
-    var phi_1958_: bool;
-    var phi_2359_: f32;
-    var phi_2360_: f32;
-    var phi_2361_: f32;
-    var phi_2362_: f32;
-    var phi_2363_: vec3<f32>;
-    var phi_2364_: vec3<f32>;
-    var phi_2365_: vec3<f32>;
-    var phi_2366_: vec3<f32>;
-    var phi_2397_: bool;
-    var phi_2406_: vec3<f32>;
-    var phi_2571_: f32;
-    var phi_2573_: f32;
-    var phi_2574_: bool;
-    var phi_2594_: f32;
-    var phi_2595_: f32;
-    var phi_2618_: type_25;
-    var phi_2620_: type_25;
-    var phi_2621_: bool;
-    var phi_2625_: type_25;
-    var phi_2626_: type_25;
-    var phi_2627_: type_25;
-    var phi_2628_: bool;
-    var phi_2632_: type_25;
-    var phi_2633_: bool;
-    var phi_2634_: type_25;
-    var phi_2635_: bool;
-    var phi_2636_: bool;
-    var phi_2637_: type_25;
-    var phi_2638_: bool;
-    var phi_2639_: bool;
-    var phi_2647_: type_25;
-    var phi_2648_: bool;
-    var phi_2652_: type_25;
-    var phi_2675_: u32;
-    var phi_2689_: i32;
-    var phi_2709_: vec3<f32>;
-    var phi_2710_: vec3<f32>;
-    var phi_2726_: vec3<f32>;
-    var phi_2727_: vec3<f32>;
-    var phi_2743_: vec3<f32>;
-    var phi_2744_: vec3<f32>;
-    var phi_2780_: vec3<f32>;
-    var phi_2962_: f32;
-    var phi_2980_: bool;
-    var phi_2981_: bool;
-    var phi_3000_: bool;
-    var phi_3001_: bool;
-    var phi_3007_: type_42;
-    var phi_3008_: type_42;
-    var phi_3009_: type_42;
-    var phi_1094_: type_42;
-    var phi_4588_: bool;
-    var phi_4805_: bool;
-    var phi_4249_: type_42;
-    var phi_4250_: type_57;
-    var phi_4251_: bool;
-    var phi_4252_: u32;
-    var phi_4804_: bool;
-    var phi_4253_: type_42;
-    var phi_4254_: type_57;
-    var phi_4255_: u32;
-    var phi_4256_: bool;
-    var phi_4257_: u32;
-    var phi_4803_: bool;
-    var phi_4258_: type_42;
-    var phi_4259_: type_57;
-    var phi_4260_: u32;
-    var phi_4261_: bool;
-    var phi_4262_: u32;
-    var phi_4802_: bool;
-    var phi_967_: type_42;
-    var phi_970_: type_57;
-    var phi_972_: u32;
-    var phi_974_: bool;
-    var phi_976_: u32;
-    var phi_4263_: bool;
-    var phi_4801_: bool;
+    var phi_1226_: u32;
+    var phi_1263_: i32;
+    var phi_1285_: u32;
+    var phi_1286_: u32;
+    var phi_1294_: f32;
+    var phi_1295_: f32;
+    var phi_5136_: bool;
+    var phi_1384_: type_42;
+    var phi_1387_: type_57;
+    var phi_1389_: u32;
+    var phi_1391_: bool;
+    var phi_1393_: u32;
+    var phi_1404_: bool;
+    var phi_1490_: type_57;
+    var phi_1491_: bool;
+    var phi_1492_: u32;
+    var phi_3942_: u32;
+    var phi_3948_: u32;
+    var phi_4202_: u32;
+    var phi_4203_: u32;
+    var phi_4213_: u32;
+    var phi_4215_: u32;
+    var phi_4216_: bool;
+    var phi_4236_: u32;
+    var phi_4237_: u32;
+    var phi_4241_: type_58;
+    var phi_4585_: type_57;
+    var phi_4662_: type_57;
+    var phi_4663_: type_57;
+    var phi_4664_: u32;
+    var phi_4666_: type_57;
+    var phi_4667_: u32;
+    var phi_4668_: bool;
+    var phi_4677_: type_57;
+    var phi_4682_: type_57;
+    var phi_4683_: bool;
+    var phi_1511_: type_42;
+    var phi_1514_: type_8;
+    var phi_1515_: type_8;
+    var phi_1537_: type_8;
+    var phi_1578_: u32;
+    var phi_1584_: u32;
+    var phi_1594_: u32;
+    var phi_1610_: u32;
+    var phi_1643_: u32;
+    var phi_1649_: u32;
+    var phi_2094_: u32;
+    var phi_2112_: u32;
+    var phi_2130_: u32;
+    var phi_2150_: u32;
+    var phi_2168_: u32;
+    var phi_2186_: u32;
+    var phi_2206_: u32;
+    var phi_2224_: u32;
+    var phi_2242_: u32;
+    var phi_1811_: u32;
+    var phi_1826_: u32;
+    var phi_1836_: u32;
+    var phi_1857_: u32;
+    var phi_1878_: u32;
+    var phi_1905_: u32;
+    var phi_1920_: u32;
+    var phi_1930_: u32;
+    var phi_1951_: u32;
+    var phi_1972_: u32;
+    var phi_1999_: u32;
+    var phi_2014_: u32;
+    var phi_2024_: u32;
+    var phi_2045_: u32;
+    var phi_2066_: u32;
+    var phi_1673_: u32;
+    var phi_1719_: u32;
+    var phi_1765_: u32;
+    var phi_2248_: array<array<f32, 3>, 3>;
+    var phi_2365_: bool;
+    var phi_2394_: bool;
+    var phi_2795_: f32;
+    var phi_2796_: f32;
+    var phi_2797_: f32;
+    var phi_2798_: f32;
+    var phi_2799_: vec3<f32>;
+    var phi_2800_: vec3<f32>;
+    var phi_2801_: vec3<f32>;
+    var phi_2802_: vec3<f32>;
+    var phi_2833_: bool;
+    var phi_2842_: vec3<f32>;
+    var phi_3007_: f32;
+    var phi_3009_: f32;
+    var phi_3010_: bool;
+    var phi_3030_: f32;
+    var phi_3031_: f32;
+    var phi_3054_: type_25;
+    var phi_3056_: type_25;
+    var phi_3057_: bool;
+    var phi_3061_: type_25;
+    var phi_3062_: type_25;
+    var phi_3063_: type_25;
+    var phi_3064_: bool;
+    var phi_3068_: type_25;
+    var phi_3069_: bool;
+    var phi_3070_: type_25;
+    var phi_3071_: bool;
+    var phi_3072_: bool;
+    var phi_3073_: type_25;
+    var phi_3074_: bool;
+    var phi_3075_: bool;
+    var phi_3083_: type_25;
+    var phi_3084_: bool;
+    var phi_3088_: type_25;
+    var phi_3111_: u32;
+    var phi_3125_: i32;
+    var phi_3145_: vec3<f32>;
+    var phi_3146_: vec3<f32>;
+    var phi_3162_: vec3<f32>;
+    var phi_3163_: vec3<f32>;
+    var phi_3179_: vec3<f32>;
+    var phi_3180_: vec3<f32>;
+    var phi_3216_: vec3<f32>;
+    var phi_3398_: f32;
+    var phi_3416_: bool;
+    var phi_3417_: bool;
+    var phi_3436_: bool;
+    var phi_3437_: bool;
+    var phi_3443_: type_42;
+    var phi_3444_: type_42;
+    var phi_3445_: type_42;
+    var phi_1512_: type_42;
+    var phi_5130_: bool;
+    var phi_5373_: bool;
+    var phi_4685_: type_42;
+    var phi_4686_: type_57;
+    var phi_4687_: bool;
+    var phi_4688_: u32;
+    var phi_5372_: bool;
+    var phi_4689_: type_42;
+    var phi_4690_: type_57;
+    var phi_4691_: u32;
+    var phi_4692_: bool;
+    var phi_4693_: u32;
+    var phi_5371_: bool;
+    var phi_4694_: type_42;
+    var phi_4695_: type_57;
+    var phi_4696_: u32;
+    var phi_4697_: bool;
+    var phi_4698_: u32;
+    var phi_5370_: bool;
+    var phi_1385_: type_42;
+    var phi_1388_: type_57;
+    var phi_1390_: u32;
+    var phi_1392_: bool;
+    var phi_1394_: u32;
+    var phi_4699_: bool;
+    var phi_5369_: bool;
     var local_10: type_42;
-    var phi_4315_: type_25;
+    var phi_4737_: f32;
+    var phi_4739_: f32;
+    var phi_4740_: bool;
+    var phi_4741_: f32;
+    var phi_4742_: bool;
+    var phi_5038_: u32;
+    var phi_5056_: bool;
+    var phi_5059_: bool;
+    var phi_5072_: f32;
+    var phi_5073_: f32;
+    var phi_5078_: f32;
+    var phi_5079_: f32;
+    var phi_5080_: bool;
+    var phi_5088_: f32;
+    var phi_4757_: f32;
+    var phi_4758_: f32;
+    var phi_4770_: f32;
+    var phi_4775_: type_25;
     var local_11: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e101 = global;
-            let _e103 = arrayLength((&global_4.member));
-            let _e106 = arrayLength((&global_10.member));
-            let _e118 = arrayLength((&global_9.member));
-            let _e122 = global_3.member[0u][0u];
-            let _e126 = global_3.member[0u][1u];
-            let _e130 = global_3.member[0u][2u];
-            let _e134 = global_3.member[0u][3u];
-            let _e138 = global_3.member[1u][0u];
-            let _e142 = global_3.member[1u][1u];
-            let _e146 = global_3.member[1u][2u];
-            let _e150 = (_e101.x + (_e101.y * 2097152u));
-            let _e162 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e134) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e122), bitcast<i32>(_e126), bitcast<i32>(_e130));
-            local = array<i32, 3>(bitcast<i32>(_e138), bitcast<i32>(_e142), bitcast<i32>(_e146));
-            let _e165 = (_e150 < arrayLength((&global_7.member)));
-            if _e165 {
-                if _e165 {
+            let _e107 = global;
+            let _e109 = arrayLength((&global_4.member));
+            let _e112 = arrayLength((&global_10.member));
+            let _e124 = arrayLength((&global_9.member));
+            let _e128 = global_3.member[0u][0u];
+            let _e132 = global_3.member[0u][1u];
+            let _e136 = global_3.member[0u][2u];
+            let _e140 = global_3.member[0u][3u];
+            let _e144 = global_3.member[1u][0u];
+            let _e148 = global_3.member[1u][1u];
+            let _e152 = global_3.member[1u][2u];
+            let _e156 = (_e107.x + (_e107.y * 2097152u));
+            let _e168 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e140) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e128), bitcast<i32>(_e132), bitcast<i32>(_e136));
+            local = array<i32, 3>(bitcast<i32>(_e144), bitcast<i32>(_e148), bitcast<i32>(_e152));
+            let _e171 = (_e156 < arrayLength((&global_7.member)));
+            if _e171 {
+                if _e171 {
                 } else {
                     break;
                 }
-                let _e169 = global_7.member[_e150].member_2;
-                phi_334_ = _e169;
+                let _e175 = global_7.member[_e156].member_2;
+                phi_416_ = _e175;
             } else {
-                phi_334_ = 4294967295u;
+                phi_416_ = 4294967295u;
             }
-            let _e171 = phi_334_;
-            let _e174 = global_1.member[0u];
-            let _e178 = global_2.member[0u][0u];
-            let _e182 = global_2.member[0u][1u];
-            let _e186 = global_2.member[0u][2u];
-            let _e190 = global_2.member[0u][3u];
-            let _e194 = global_2.member[1u][0u];
-            let _e198 = global_2.member[1u][1u];
-            let _e202 = global_2.member[1u][2u];
-            let _e206 = global_2.member[1u][3u];
-            let _e207 = bitcast<f32>(_e178);
-            let _e208 = bitcast<f32>(_e182);
-            let _e209 = bitcast<f32>(_e186);
-            let _e211 = bitcast<f32>(_e194);
-            let _e212 = array<u32, 3>(_e198, _e202, _e206);
-            let _e214 = bitcast<i32>(_e174);
-            if (_e214 < -126i) {
-                phi_378_ = -126i;
+            let _e177 = phi_416_;
+            let _e180 = global_1.member[0u];
+            let _e184 = global_2.member[0u][0u];
+            let _e188 = global_2.member[0u][1u];
+            let _e192 = global_2.member[0u][2u];
+            let _e196 = global_2.member[0u][3u];
+            let _e200 = global_2.member[1u][0u];
+            let _e204 = global_2.member[1u][1u];
+            let _e208 = global_2.member[1u][2u];
+            let _e212 = global_2.member[1u][3u];
+            let _e213 = bitcast<f32>(_e184);
+            let _e214 = bitcast<f32>(_e188);
+            let _e215 = bitcast<f32>(_e192);
+            let _e217 = bitcast<f32>(_e200);
+            let _e218 = array<u32, 3>(_e204, _e208, _e212);
+            let _e220 = bitcast<i32>(_e180);
+            if (_e220 < -126i) {
+                phi_460_ = -126i;
             } else {
-                phi_378_ = select(_e214, 127i, (_e214 > 127i));
+                phi_460_ = select(_e220, 127i, (_e220 > 127i));
             }
-            let _e219 = phi_378_;
-            let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
-            let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
-            if (_e190 == 0u) {
-                phi_402_ = type_39(array<f32, 3>(_e207, _e208, _e209), _e190, _e211, _e212);
+            let _e225 = phi_460_;
+            let _e230 = bitcast<f32>((bitcast<u32>((_e225 + 127i)) << bitcast<u32>(23i)));
+            let _e236 = bitcast<f32>((bitcast<u32>(((_e220 - _e225) + 127i)) << bitcast<u32>(23i)));
+            if (_e196 == 0u) {
+                phi_600_ = type_39(array<f32, 3>(_e213, _e214, _e215), _e196, _e217, _e218);
             } else {
-                phi_402_ = type_39(array<f32, 3>(((_e207 * _e224) * _e230), ((_e208 * _e224) * _e230), ((_e209 * _e224) * _e230)), _e190, ((_e211 * _e224) * _e230), _e212);
+                let _e238 = bitcast<u32>(_e213);
+                let _e240 = ((_e238 & 2139095040u) != 0u);
+                let _e255 = bitcast<u32>(_e214);
+                let _e257 = ((_e255 & 2139095040u) != 0u);
+                let _e272 = bitcast<u32>(_e215);
+                let _e274 = ((_e272 & 2139095040u) != 0u);
+                let _e290 = bitcast<u32>(_e217);
+                let _e292 = ((_e290 & 2139095040u) != 0u);
+                phi_600_ = type_39(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e238 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e238 & 2147483648u))), _e213, _e240) * _e230) * select(0.00000011920929f, 1f, _e240)) * _e236), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e255 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e255 & 2147483648u))), _e214, _e257) * _e230) * select(0.00000011920929f, 1f, _e257)) * _e236), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e272 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e272 & 2147483648u))), _e215, _e274) * _e230) * select(0.00000011920929f, 1f, _e274)) * _e236)), _e196, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e290 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e290 & 2147483648u))), _e217, _e292) * _e230) * select(0.00000011920929f, 1f, _e292)) * _e236), _e218);
             }
-            let _e243 = phi_402_;
-            if _e165 {
-                let _e244 = (_e150 < arrayLength((&global_8.member)));
-                if _e244 {
-                    if _e165 {
+            let _e309 = phi_600_;
+            if _e171 {
+                let _e310 = (_e156 < arrayLength((&global_8.member)));
+                if _e310 {
+                    if _e171 {
                     } else {
                         break;
                     }
-                    let _e254 = global_7.member[_e150].member.member_2[0u];
-                    let _e256 = (bitcast<u32>(_e254) & 2147483647u);
-                    let _e262 = global_7.member[_e150].member.member_2[1u];
-                    let _e264 = (bitcast<u32>(_e262) & 2147483647u);
-                    let _e270 = global_7.member[_e150].member.member_2[2u];
-                    let _e272 = (bitcast<u32>(_e270) & 2147483647u);
-                    let _e278 = global_7.member[_e150].member.member[0u];
-                    let _e280 = (bitcast<u32>(_e278) & 2147483647u);
-                    let _e286 = global_7.member[_e150].member.member[1u];
-                    let _e288 = (bitcast<u32>(_e286) & 2147483647u);
-                    let _e294 = global_7.member[_e150].member.member[2u];
-                    let _e296 = (bitcast<u32>(_e294) & 2147483647u);
-                    let _e298 = select(_e264, _e256, (_e264 < _e256));
-                    let _e300 = select(_e272, _e298, (_e272 < _e298));
-                    let _e302 = select(_e280, _e300, (_e280 < _e300));
-                    let _e304 = select(_e288, _e302, (_e288 < _e302));
-                    let _e306 = select(_e296, _e304, (_e296 < _e304));
-                    let _e311 = global_7.member[_e150].member.member_1;
-                    let _e313 = (bitcast<u32>(_e311) & 2147483647u);
-                    let _e321 = global_7.member[_e150].member.member_3;
-                    let _e327 = (((select(_e313, _e306, (_e313 < _e306)) < 2139095040u) && ((bitcast<u32>(_e321) & 2147483647u) <= 2139095040u)) && (_e300 > 0u));
-                    if _e327 {
-                        let _e330 = (bitcast<u32>(bitcast<f32>(_e300)) & 2147483647u);
-                        if (_e330 >= 8388608u) {
-                            phi_508_ = (bitcast<i32>((_e330 >> bitcast<u32>(23i))) - 127i);
+                    let _e320 = global_7.member[_e156].member.member_2[0u];
+                    let _e322 = (bitcast<u32>(_e320) & 2147483647u);
+                    let _e328 = global_7.member[_e156].member.member_2[1u];
+                    let _e330 = (bitcast<u32>(_e328) & 2147483647u);
+                    let _e336 = global_7.member[_e156].member.member_2[2u];
+                    let _e338 = (bitcast<u32>(_e336) & 2147483647u);
+                    let _e344 = global_7.member[_e156].member.member[0u];
+                    let _e346 = (bitcast<u32>(_e344) & 2147483647u);
+                    let _e352 = global_7.member[_e156].member.member[1u];
+                    let _e354 = (bitcast<u32>(_e352) & 2147483647u);
+                    let _e360 = global_7.member[_e156].member.member[2u];
+                    let _e362 = (bitcast<u32>(_e360) & 2147483647u);
+                    let _e364 = select(_e330, _e322, (_e330 < _e322));
+                    let _e366 = select(_e338, _e364, (_e338 < _e364));
+                    let _e368 = select(_e346, _e366, (_e346 < _e366));
+                    let _e370 = select(_e354, _e368, (_e354 < _e368));
+                    let _e372 = select(_e362, _e370, (_e362 < _e370));
+                    let _e377 = global_7.member[_e156].member.member_1;
+                    let _e378 = bitcast<u32>(_e377);
+                    let _e379 = (_e378 & 2147483647u);
+                    let _e387 = global_7.member[_e156].member.member_3;
+                    let _e388 = bitcast<u32>(_e387);
+                    let _e389 = (_e388 & 2147483647u);
+                    let _e393 = (((select(_e379, _e372, (_e379 < _e372)) < 2139095040u) && (_e389 <= 2139095040u)) && (_e366 > 0u));
+                    if _e393 {
+                        let _e396 = (bitcast<u32>(bitcast<f32>(_e366)) & 2147483647u);
+                        if (_e396 >= 8388608u) {
+                            phi_706_ = (bitcast<i32>((_e396 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_508_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e330)), 32u, (_e330 == 0u))));
+                            phi_706_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e396)), 32u, (_e396 == 0u))));
                         }
-                        let _e344 = phi_508_;
-                        phi_509_ = _e344;
+                        let _e410 = phi_706_;
+                        phi_707_ = _e410;
                     } else {
-                        phi_509_ = 0i;
+                        phi_707_ = 0i;
                     }
-                    let _e346 = phi_509_;
-                    let _e347 = (_e256 == _e300);
-                    if _e347 {
-                        phi_519_ = true;
+                    let _e412 = phi_707_;
+                    let _e413 = (_e322 == _e366);
+                    if _e413 {
+                        phi_717_ = true;
                     } else {
-                        phi_519_ = (_e264 == _e300);
+                        phi_717_ = (_e330 == _e366);
                     }
-                    let _e350 = phi_519_;
-                    let _e351 = select(1u, 0u, _e347);
-                    if _e350 {
-                        let _e352 = (_e351 + 1u);
-                        phi_529_ = _e352;
-                        phi_530_ = _e352;
-                        phi_532_ = select(true, false, (_e352 == 2u));
+                    let _e416 = phi_717_;
+                    let _e417 = select(1u, 0u, _e413);
+                    if _e416 {
+                        let _e418 = (_e417 + 1u);
+                        phi_727_ = _e418;
+                        phi_728_ = _e418;
+                        phi_730_ = select(true, false, (_e418 == 2u));
                     } else {
-                        phi_529_ = u32();
-                        phi_530_ = 0u;
-                        phi_532_ = true;
+                        phi_727_ = u32();
+                        phi_728_ = 0u;
+                        phi_730_ = true;
                     }
-                    let _e356 = phi_529_;
-                    let _e358 = phi_530_;
-                    let _e360 = phi_532_;
-                    if _e360 {
-                        phi_537_ = (_e358 + 1u);
-                    } else {
-                        phi_537_ = 0u;
-                    }
-                    let _e364 = phi_537_;
-                    let _e365 = select(_e356, _e358, _e360);
-                    let _e366 = select(_e351, select(2u, _e351, _e350), _e360);
-                    let _e367 = -(_e346);
-                    if (_e367 < -126i) {
-                        phi_569_ = -126i;
-                    } else {
-                        phi_569_ = select(_e367, 127i, (_e367 > 127i));
-                    }
-                    let _e372 = phi_569_;
-                    let _e377 = bitcast<f32>((bitcast<u32>((_e372 + 127i)) << bitcast<u32>(23i)));
-                    let _e383 = bitcast<f32>((bitcast<u32>(((_e367 - _e372) + 127i)) << bitcast<u32>(23i)));
-                    let _e388 = global_7.member[_e150].member.member;
-                    let _e389 = (_e365 == 0u);
-                    if _e389 {
-                        phi_587_ = _e388[0];
-                    } else {
-                        phi_587_ = _e388[1];
-                    }
-                    let _e393 = phi_587_;
-                    let _e394 = (_e365 == 2u);
-                    if _e394 {
-                        phi_593_ = _e388[2];
-                    } else {
-                        phi_593_ = _e393;
-                    }
-                    let _e397 = phi_593_;
-                    let _e398 = global_7.member[_e150].member.member_2;
-                    if _e389 {
-                        phi_604_ = _e398[0];
-                    } else {
-                        phi_604_ = _e398[1];
-                    }
-                    let _e402 = phi_604_;
-                    if _e394 {
-                        phi_610_ = _e398[2];
-                    } else {
-                        phi_610_ = _e402;
-                    }
-                    let _e405 = phi_610_;
-                    let _e407 = ((_e405 * _e377) * _e383);
-                    let _e411 = (bitcast<f32>((bitcast<u32>(_e407) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e411 {
-                        let _e415 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
-                        phi_633_ = select(0.00000000000011368684f, _e415, (_e415 > 0.00000000000011368684f));
-                    } else {
-                        phi_633_ = 0f;
-                    }
-                    let _e419 = phi_633_;
-                    let _e420 = (_e397 + _e419);
-                    let _e421 = (_e397 - _e419);
-                    let _e422 = select(_e407, 0f, _e411);
-                    if _e411 {
-                        phi_644_ = 38685626000000000000000000f;
-                    } else {
-                        phi_644_ = (1f / _e407);
-                    }
-                    let _e425 = phi_644_;
-                    let _e426 = (_e364 == 0u);
+                    let _e422 = phi_727_;
+                    let _e424 = phi_728_;
+                    let _e426 = phi_730_;
                     if _e426 {
-                        phi_653_ = _e388[0];
+                        phi_735_ = (_e424 + 1u);
                     } else {
-                        phi_653_ = _e388[1];
+                        phi_735_ = 0u;
                     }
-                    let _e430 = phi_653_;
-                    let _e431 = (_e364 == 2u);
-                    if _e431 {
-                        phi_659_ = _e388[2];
+                    let _e430 = phi_735_;
+                    let _e431 = select(_e422, _e424, _e426);
+                    let _e432 = select(_e417, select(2u, _e417, _e416), _e426);
+                    let _e433 = -(_e412);
+                    if (_e433 < -126i) {
+                        phi_767_ = -126i;
                     } else {
-                        phi_659_ = _e430;
+                        phi_767_ = select(_e433, 127i, (_e433 > 127i));
                     }
-                    let _e434 = phi_659_;
-                    if _e426 {
-                        phi_670_ = _e398[0];
+                    let _e438 = phi_767_;
+                    let _e443 = bitcast<f32>((bitcast<u32>((_e438 + 127i)) << bitcast<u32>(23i)));
+                    let _e449 = bitcast<f32>((bitcast<u32>(((_e433 - _e438) + 127i)) << bitcast<u32>(23i)));
+                    let _e454 = global_7.member[_e156].member.member;
+                    let _e455 = (_e431 == 0u);
+                    if _e455 {
+                        phi_785_ = _e454[0];
                     } else {
-                        phi_670_ = _e398[1];
+                        phi_785_ = _e454[1];
                     }
-                    let _e438 = phi_670_;
-                    if _e431 {
-                        phi_676_ = _e398[2];
+                    let _e459 = phi_785_;
+                    let _e460 = (_e431 == 2u);
+                    if _e460 {
+                        phi_791_ = _e454[2];
                     } else {
-                        phi_676_ = _e438;
+                        phi_791_ = _e459;
                     }
-                    let _e441 = phi_676_;
-                    let _e443 = ((_e441 * _e377) * _e383);
-                    let _e447 = (bitcast<f32>((bitcast<u32>(_e443) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e447 {
-                        let _e451 = (bitcast<f32>((bitcast<u32>(_e434) & 2147483647u)) * 0.00000011920929f);
-                        phi_699_ = select(0.00000000000011368684f, _e451, (_e451 > 0.00000000000011368684f));
+                    let _e463 = phi_791_;
+                    let _e464 = bitcast<u32>(_e463);
+                    let _e466 = ((_e464 & 2139095040u) != 0u);
+                    let _e478 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e464 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e464 & 2147483648u))), _e463, _e466) * select(0.00000011920929f, 1f, _e466));
+                    let _e479 = global_7.member[_e156].member.member_2;
+                    if _e455 {
+                        phi_831_ = _e479[0];
                     } else {
-                        phi_699_ = 0f;
+                        phi_831_ = _e479[1];
                     }
-                    let _e455 = phi_699_;
-                    let _e456 = (_e434 + _e455);
-                    let _e457 = (_e434 - _e455);
-                    let _e458 = select(_e443, 0f, _e447);
-                    if _e447 {
-                        phi_710_ = 38685626000000000000000000f;
+                    let _e483 = phi_831_;
+                    if _e460 {
+                        phi_837_ = _e479[2];
                     } else {
-                        phi_710_ = (1f / _e443);
+                        phi_837_ = _e483;
                     }
-                    let _e461 = phi_710_;
-                    let _e462 = (_e366 == 0u);
-                    if _e462 {
-                        phi_719_ = _e388[0];
+                    let _e486 = phi_837_;
+                    let _e487 = bitcast<u32>(_e486);
+                    let _e489 = ((_e487 & 2139095040u) != 0u);
+                    let _e503 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e487 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e487 & 2147483648u))), _e486, _e489) * _e443) * select(0.00000011920929f, 1f, _e489)) * _e449);
+                    let _e507 = (bitcast<f32>((bitcast<u32>(_e503) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e507 {
+                        let _e511 = (bitcast<f32>((bitcast<u32>(_e478) & 2147483647u)) * 0.00000011920929f);
+                        phi_889_ = select(0.00000000000011368684f, _e511, (_e511 > 0.00000000000011368684f));
                     } else {
-                        phi_719_ = _e388[1];
+                        phi_889_ = 0f;
                     }
-                    let _e466 = phi_719_;
-                    let _e467 = (_e366 == 2u);
-                    if _e467 {
-                        phi_725_ = _e388[2];
+                    let _e515 = phi_889_;
+                    let _e516 = (_e478 + _e515);
+                    let _e517 = (_e478 - _e515);
+                    let _e518 = select(_e503, 0f, _e507);
+                    if _e507 {
+                        phi_900_ = 38685626000000000000000000f;
                     } else {
-                        phi_725_ = _e466;
+                        phi_900_ = (1f / _e503);
                     }
-                    let _e470 = phi_725_;
-                    if _e462 {
-                        phi_736_ = _e398[0];
+                    let _e521 = phi_900_;
+                    let _e522 = (_e430 == 0u);
+                    if _e522 {
+                        phi_909_ = _e454[0];
                     } else {
-                        phi_736_ = _e398[1];
+                        phi_909_ = _e454[1];
                     }
-                    let _e474 = phi_736_;
-                    if _e467 {
-                        phi_742_ = _e398[2];
+                    let _e526 = phi_909_;
+                    let _e527 = (_e430 == 2u);
+                    if _e527 {
+                        phi_915_ = _e454[2];
                     } else {
-                        phi_742_ = _e474;
+                        phi_915_ = _e526;
                     }
-                    let _e477 = phi_742_;
-                    let _e479 = ((_e477 * _e377) * _e383);
-                    let _e483 = (bitcast<f32>((bitcast<u32>(_e479) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e483 {
-                        let _e487 = (bitcast<f32>((bitcast<u32>(_e470) & 2147483647u)) * 0.00000011920929f);
-                        phi_765_ = select(0.00000000000011368684f, _e487, (_e487 > 0.00000000000011368684f));
+                    let _e530 = phi_915_;
+                    let _e531 = bitcast<u32>(_e530);
+                    let _e533 = ((_e531 & 2139095040u) != 0u);
+                    let _e545 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e531 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e531 & 2147483648u))), _e530, _e533) * select(0.00000011920929f, 1f, _e533));
+                    if _e522 {
+                        phi_955_ = _e479[0];
                     } else {
-                        phi_765_ = 0f;
+                        phi_955_ = _e479[1];
                     }
-                    let _e491 = phi_765_;
-                    let _e492 = (_e470 + _e491);
-                    let _e493 = (_e470 - _e491);
-                    let _e494 = select(_e479, 0f, _e483);
-                    if _e483 {
-                        phi_776_ = 38685626000000000000000000f;
+                    let _e549 = phi_955_;
+                    if _e527 {
+                        phi_961_ = _e479[2];
                     } else {
-                        phi_776_ = (1f / _e479);
+                        phi_961_ = _e549;
                     }
-                    let _e497 = phi_776_;
-                    let _e500 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
-                    let _e503 = bitcast<f32>((bitcast<u32>(_e434) & 2147483647u));
-                    let _e505 = select(_e503, _e500, (_e500 > _e503));
-                    let _e508 = bitcast<f32>((bitcast<u32>(_e470) & 2147483647u));
-                    if (_e327 && (select(_e508, _e505, (_e505 > _e508)) <= 1099511600000f)) {
-                        let _e513 = (_e346 / 3i);
-                        let _e520 = bitcast<f32>((bitcast<u32>((_e513 + 127i)) << bitcast<u32>(23i)));
-                        let _e527 = bitcast<f32>((bitcast<u32>(((_e346 - (2i * _e513)) + 127i)) << bitcast<u32>(23i)));
-                        let _e528 = (((_e311 * _e520) * _e520) * _e527);
-                        let _e530 = select(340282350000000000000000000000000000000f, _e528, (_e528 < 340282350000000000000000000000000000000f));
-                        let _e535 = (((_e321 * _e520) * _e520) * _e527);
-                        let _e537 = select(340282350000000000000000000000000000000f, _e535, (_e535 < 340282350000000000000000000000000000000f));
-                        phi_876_ = select(-340282350000000000000000000000000000000f, _e537, (_e537 > -340282350000000000000000000000000000000f));
-                        phi_877_ = select(-340282350000000000000000000000000000000f, _e530, (_e530 > -340282350000000000000000000000000000000f));
+                    let _e552 = phi_961_;
+                    let _e553 = bitcast<u32>(_e552);
+                    let _e555 = ((_e553 & 2139095040u) != 0u);
+                    let _e569 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e553 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e553 & 2147483648u))), _e552, _e555) * _e443) * select(0.00000011920929f, 1f, _e555)) * _e449);
+                    let _e573 = (bitcast<f32>((bitcast<u32>(_e569) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e573 {
+                        let _e577 = (bitcast<f32>((bitcast<u32>(_e545) & 2147483647u)) * 0.00000011920929f);
+                        phi_1013_ = select(0.00000000000011368684f, _e577, (_e577 > 0.00000000000011368684f));
                     } else {
-                        phi_876_ = 0f;
-                        phi_877_ = 1f;
+                        phi_1013_ = 0f;
                     }
-                    let _e541 = phi_876_;
-                    let _e543 = phi_877_;
+                    let _e581 = phi_1013_;
+                    let _e582 = (_e545 + _e581);
+                    let _e583 = (_e545 - _e581);
+                    let _e584 = select(_e569, 0f, _e573);
+                    if _e573 {
+                        phi_1024_ = 38685626000000000000000000f;
+                    } else {
+                        phi_1024_ = (1f / _e569);
+                    }
+                    let _e587 = phi_1024_;
+                    let _e588 = (_e432 == 0u);
+                    if _e588 {
+                        phi_1033_ = _e454[0];
+                    } else {
+                        phi_1033_ = _e454[1];
+                    }
+                    let _e592 = phi_1033_;
+                    let _e593 = (_e432 == 2u);
+                    if _e593 {
+                        phi_1039_ = _e454[2];
+                    } else {
+                        phi_1039_ = _e592;
+                    }
+                    let _e596 = phi_1039_;
+                    let _e597 = bitcast<u32>(_e596);
+                    let _e599 = ((_e597 & 2139095040u) != 0u);
+                    let _e611 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e597 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e597 & 2147483648u))), _e596, _e599) * select(0.00000011920929f, 1f, _e599));
+                    if _e588 {
+                        phi_1079_ = _e479[0];
+                    } else {
+                        phi_1079_ = _e479[1];
+                    }
+                    let _e615 = phi_1079_;
+                    if _e593 {
+                        phi_1085_ = _e479[2];
+                    } else {
+                        phi_1085_ = _e615;
+                    }
+                    let _e618 = phi_1085_;
+                    let _e619 = bitcast<u32>(_e618);
+                    let _e621 = ((_e619 & 2139095040u) != 0u);
+                    let _e635 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e619 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e619 & 2147483648u))), _e618, _e621) * _e443) * select(0.00000011920929f, 1f, _e621)) * _e449);
+                    let _e639 = (bitcast<f32>((bitcast<u32>(_e635) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e639 {
+                        let _e643 = (bitcast<f32>((bitcast<u32>(_e611) & 2147483647u)) * 0.00000011920929f);
+                        phi_1137_ = select(0.00000000000011368684f, _e643, (_e643 > 0.00000000000011368684f));
+                    } else {
+                        phi_1137_ = 0f;
+                    }
+                    let _e647 = phi_1137_;
+                    let _e648 = (_e611 + _e647);
+                    let _e649 = (_e611 - _e647);
+                    let _e650 = select(_e635, 0f, _e639);
+                    if _e639 {
+                        phi_1148_ = 38685626000000000000000000f;
+                    } else {
+                        phi_1148_ = (1f / _e635);
+                    }
+                    let _e653 = phi_1148_;
+                    let _e656 = bitcast<f32>((bitcast<u32>(_e478) & 2147483647u));
+                    let _e659 = bitcast<f32>((bitcast<u32>(_e545) & 2147483647u));
+                    let _e661 = select(_e659, _e656, (_e656 > _e659));
+                    let _e664 = bitcast<f32>((bitcast<u32>(_e611) & 2147483647u));
+                    if (_e393 && (select(_e664, _e661, (_e661 > _e664)) <= 1099511600000f)) {
+                        let _e676 = ((_e379 & 8388607u) | (select(0u, 1u, ((_e379 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e679 = bitcast<i32>((_e379 >> bitcast<u32>(23i)));
+                        let _e683 = (_e676 == 0u);
+                        let _e686 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e676)), 32u, _e683)) - 8i);
+                        if (_e679 == 255i) {
+                            phi_1203_ = 255i;
+                        } else {
+                            phi_1203_ = (((_e679 + select(0i, 1i, (_e679 == 0i))) - _e686) + _e412);
+                        }
+                        let _e694 = phi_1203_;
+                        let _e704 = (_e694 <= 0i);
+                        if _e704 {
+                            phi_1226_ = u32();
+                        } else {
+                            if _e683 {
+                                phi_1225_ = u32();
+                            } else {
+                                phi_1225_ = select(((bitcast<u32>(_e694) << bitcast<u32>(23i)) | ((_e676 << bitcast<u32>(((_e686 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e694 >= 255i));
+                            }
+                            let _e708 = phi_1225_;
+                            phi_1226_ = _e708;
+                        }
+                        let _e710 = phi_1226_;
+                        let _e722 = ((_e389 & 8388607u) | (select(0u, 1u, ((_e389 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e725 = bitcast<i32>((_e389 >> bitcast<u32>(23i)));
+                        let _e729 = (_e722 == 0u);
+                        let _e732 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e722)), 32u, _e729)) - 8i);
+                        if (_e725 == 255i) {
+                            phi_1263_ = 255i;
+                        } else {
+                            phi_1263_ = (((_e725 + select(0i, 1i, (_e725 == 0i))) - _e732) + _e412);
+                        }
+                        let _e740 = phi_1263_;
+                        let _e750 = (_e740 <= 0i);
+                        if _e750 {
+                            phi_1286_ = u32();
+                        } else {
+                            if _e729 {
+                                phi_1285_ = u32();
+                            } else {
+                                phi_1285_ = select(((bitcast<u32>(_e740) << bitcast<u32>(23i)) | ((_e722 << bitcast<u32>(((_e732 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e740 >= 255i));
+                            }
+                            let _e754 = phi_1285_;
+                            phi_1286_ = _e754;
+                        }
+                        let _e756 = phi_1286_;
+                        phi_1294_ = bitcast<f32>(((_e388 & 2147483648u) | select(_e756, 0u, select(_e729, true, _e750))));
+                        phi_1295_ = bitcast<f32>(((_e378 & 2147483648u) | select(_e710, 0u, select(_e683, true, _e704))));
+                    } else {
+                        phi_1294_ = 0f;
+                        phi_1295_ = 1f;
+                    }
+                    let _e762 = phi_1294_;
+                    let _e764 = phi_1295_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -599,1454 +687,1553 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e547 = (_e365 % 3u);
-                    let _e548 = (_e547 < 3u);
-                    if _e548 {
+                    let _e768 = (_e431 % 3u);
+                    let _e769 = (_e768 < 3u);
+                    if _e769 {
                     } else {
                         break;
                     }
-                    let _e550 = local_1[_e547];
-                    let _e553 = (_e364 % 3u);
-                    let _e554 = (_e553 < 3u);
-                    if _e554 {
+                    let _e771 = local_1[_e768];
+                    let _e774 = (_e430 % 3u);
+                    let _e775 = (_e774 < 3u);
+                    if _e775 {
                     } else {
                         break;
                     }
-                    let _e556 = local_1[_e553];
-                    let _e559 = (_e366 % 3u);
-                    let _e560 = (_e559 < 3u);
-                    if _e560 {
+                    let _e777 = local_1[_e774];
+                    let _e780 = (_e432 % 3u);
+                    let _e781 = (_e780 < 3u);
+                    if _e781 {
                     } else {
                         break;
                     }
-                    let _e562 = local_1[_e559];
-                    if _e548 {
+                    let _e783 = local_1[_e780];
+                    if _e769 {
                     } else {
                         break;
                     }
-                    let _e567 = local[_e547];
-                    if _e554 {
+                    let _e788 = local[_e768];
+                    if _e775 {
                     } else {
                         break;
                     }
-                    let _e571 = local[_e553];
-                    if _e560 {
+                    let _e792 = local[_e774];
+                    if _e781 {
                     } else {
                         break;
                     }
-                    let _e575 = local[_e559];
-                    phi_4594_ = false;
-                    phi_966_ = type_42(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e541);
-                    phi_969_ = type_57(type_37(vec4<f32>((f32(_e550) * _e162), (f32(_e556) * _e162), (f32(_e562) * _e162), 0f), vec4<f32>((f32(_e567) * _e162), (f32(_e571) * _e162), (f32(_e575) * _e162), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
-                    phi_971_ = ((3u * _e103) + 1u);
-                    phi_973_ = (_e543 <= _e541);
-                    phi_975_ = 0u;
+                    let _e796 = local[_e780];
+                    phi_5136_ = false;
+                    phi_1384_ = type_42(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e762);
+                    phi_1387_ = type_57(type_37(vec4<f32>((f32(_e771) * _e168), (f32(_e777) * _e168), (f32(_e783) * _e168), 0f), vec4<f32>((f32(_e788) * _e168), (f32(_e792) * _e168), (f32(_e796) * _e168), 0f)), select(0u, 2147483648u, (_e109 == 0u)));
+                    phi_1389_ = ((3u * _e109) + 1u);
+                    phi_1391_ = (_e764 <= _e762);
+                    phi_1393_ = 0u;
                     loop {
-                        let _e585 = phi_4594_;
-                        let _e587 = phi_966_;
-                        let _e589 = phi_969_;
-                        let _e591 = phi_971_;
-                        let _e593 = phi_973_;
-                        let _e595 = phi_975_;
-                        local_10 = _e587;
-                        if _e593 {
-                            phi_986_ = true;
+                        let _e806 = phi_5136_;
+                        let _e808 = phi_1384_;
+                        let _e810 = phi_1387_;
+                        let _e812 = phi_1389_;
+                        let _e814 = phi_1391_;
+                        let _e816 = phi_1393_;
+                        local_10 = _e808;
+                        if _e814 {
+                            phi_1404_ = true;
                         } else {
-                            phi_986_ = (_e595 > 0u);
+                            phi_1404_ = (_e816 > 0u);
                         }
-                        let _e598 = phi_986_;
-                        if _e598 {
-                            let _e599 = (_e591 > 0u);
-                            if _e599 {
-                                if _e593 {
-                                    phi_1072_ = _e589;
-                                    phi_1073_ = _e593;
-                                    phi_1074_ = _e595;
+                        let _e819 = phi_1404_;
+                        if _e819 {
+                            let _e820 = (_e812 > 0u);
+                            if _e820 {
+                                if _e814 {
+                                    phi_1490_ = _e810;
+                                    phi_1491_ = _e814;
+                                    phi_1492_ = _e816;
                                 } else {
-                                    let _e600 = (_e595 - 1u);
-                                    let _e601 = (_e600 % 128u);
-                                    let _e602 = (_e601 < 128u);
-                                    if _e602 {
+                                    let _e821 = (_e816 - 1u);
+                                    let _e822 = (_e821 % 128u);
+                                    let _e823 = (_e822 < 128u);
+                                    if _e823 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e604 = local_7[_e601];
-                                    if _e602 {
+                                    let _e825 = local_7[_e822];
+                                    if _e823 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e606 = local_6[_e601];
-                                    if _e602 {
+                                    let _e827 = local_6[_e822];
+                                    if _e823 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e608 = local_5[_e601];
-                                    if _e602 {
+                                    let _e829 = local_5[_e822];
+                                    if _e823 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e610 = local_4[_e601];
-                                    if _e602 {
+                                    let _e831 = local_4[_e822];
+                                    if _e823 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e612 = local_3[_e601];
-                                    if _e602 {
+                                    let _e833 = local_3[_e822];
+                                    if _e823 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e614 = local_2[_e601];
-                                    if _e602 {
+                                    let _e835 = local_2[_e822];
+                                    if _e823 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e619 = local_8[_e601];
-                                    if _e602 {
+                                    let _e840 = local_8[_e822];
+                                    if _e823 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e622 = local_9[_e601];
-                                    phi_1072_ = type_57(type_37(vec4<f32>(_e604, _e606, _e608, 0f), vec4<f32>(_e610, _e612, _e614, 0f)), _e619);
-                                    phi_1073_ = (_e622 <= _e587.member_1);
-                                    phi_1074_ = _e600;
+                                    let _e843 = local_9[_e822];
+                                    phi_1490_ = type_57(type_37(vec4<f32>(_e825, _e827, _e829, 0f), vec4<f32>(_e831, _e833, _e835, 0f)), _e840);
+                                    phi_1491_ = (_e843 <= _e808.member_1);
+                                    phi_1492_ = _e821;
                                 }
-                                let _e626 = phi_1072_;
-                                let _e628 = phi_1073_;
-                                let _e630 = phi_1074_;
-                                if _e628 {
-                                    let _e635 = (_e626.member_1 & 268435455u);
-                                    if ((_e626.member_1 & 2147483648u) != 0u) {
-                                        phi_1093_ = _e587;
-                                        phi_1096_ = type_8(0u, ((_e626.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e847 = phi_1490_;
+                                let _e849 = phi_1491_;
+                                let _e851 = phi_1492_;
+                                if _e849 {
+                                    let _e856 = (_e847.member_1 & 268435455u);
+                                    if ((_e847.member_1 & 2147483648u) != 0u) {
+                                        phi_1511_ = _e808;
+                                        phi_1514_ = type_8(0u, ((_e847.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1095 = phi_1093_;
-                                            let _e1097 = phi_1096_;
-                                            local_11 = _e1095;
-                                            if (_e1097.member < _e1097.member_1) {
-                                                phi_1097_ = type_8((_e1097.member + 1u), _e1097.member_1);
-                                                phi_1119_ = type_8(1u, _e1097.member);
+                                            let _e1322 = phi_1511_;
+                                            let _e1324 = phi_1514_;
+                                            local_11 = _e1322;
+                                            if (_e1324.member < _e1324.member_1) {
+                                                phi_1515_ = type_8((_e1324.member + 1u), _e1324.member_1);
+                                                phi_1537_ = type_8(1u, _e1324.member);
                                             } else {
-                                                phi_1097_ = _e1097;
-                                                phi_1119_ = type_8(0u, type_8().member_1);
+                                                phi_1515_ = _e1324;
+                                                phi_1537_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1110 = phi_1097_;
-                                            let _e1112 = phi_1119_;
-                                            let _e1116 = (bitcast<i32>(_e1112.member) != 0i);
-                                            if _e1116 {
-                                                let _e1121 = (_e626.member.member_1.x - _e626.member.member.x);
-                                                let _e1124 = (_e626.member.member_1.y - _e626.member.member.y);
-                                                let _e1127 = (_e626.member.member_1.z - _e626.member.member.z);
-                                                let _e1129 = select(_e1124, _e1121, (_e1121 > _e1124));
-                                                let _e1131 = select(_e1127, _e1129, (_e1129 > _e1127));
-                                                let _e1133 = (_e1131 < (1024f * _e162));
-                                                if _e1133 {
-                                                    phi_1160_ = 0u;
+                                            let _e1337 = phi_1515_;
+                                            let _e1339 = phi_1537_;
+                                            let _e1343 = (bitcast<i32>(_e1339.member) != 0i);
+                                            if _e1343 {
+                                                let _e1348 = (_e847.member.member_1.x - _e847.member.member.x);
+                                                let _e1351 = (_e847.member.member_1.y - _e847.member.member.y);
+                                                let _e1354 = (_e847.member.member_1.z - _e847.member.member.z);
+                                                let _e1356 = select(_e1351, _e1348, (_e1348 > _e1351));
+                                                let _e1358 = select(_e1354, _e1356, (_e1356 > _e1354));
+                                                let _e1360 = (_e1358 < (1024f * _e168));
+                                                if _e1360 {
+                                                    phi_1578_ = 0u;
                                                 } else {
-                                                    phi_1160_ = select(2u, 1u, (_e1131 < (2097152f * _e162)));
+                                                    phi_1578_ = select(2u, 1u, (_e1358 < (2097152f * _e168)));
                                                 }
-                                                let _e1138 = phi_1160_;
-                                                switch bitcast<i32>(_e1138) {
+                                                let _e1365 = phi_1578_;
+                                                switch bitcast<i32>(_e1365) {
                                                     case 0: {
-                                                        phi_1166_ = 1u;
+                                                        phi_1584_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1166_ = 2u;
+                                                        phi_1584_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1166_ = 3u;
+                                                        phi_1584_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1166_ = u32();
+                                                        phi_1584_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1141 = phi_1166_;
-                                                switch bitcast<i32>(_e1138) {
+                                                let _e1368 = phi_1584_;
+                                                switch bitcast<i32>(_e1365) {
                                                     case 0: {
-                                                        phi_1176_ = 1u;
+                                                        phi_1594_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1176_ = 2u;
+                                                        phi_1594_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1176_ = 3u;
+                                                        phi_1594_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1176_ = u32();
+                                                        phi_1594_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1148 = phi_1176_;
-                                                let _e1150 = ((_e635 + (_e1112.member_1 * ((3u * _e1141) + 1u))) + (3u * _e1148));
-                                                let _e1151 = (_e1150 < _e106);
-                                                if _e1151 {
-                                                    if _e1151 {
+                                                let _e1375 = phi_1594_;
+                                                let _e1377 = ((_e856 + (_e1339.member_1 * ((3u * _e1368) + 1u))) + (3u * _e1375));
+                                                let _e1378 = (_e1377 < _e112);
+                                                if _e1378 {
+                                                    if _e1378 {
                                                     } else {
-                                                        phi_4588_ = true;
+                                                        phi_5130_ = true;
                                                         break;
                                                     }
-                                                    let _e1153 = global_10.member[_e1150];
-                                                    phi_1192_ = _e1153;
+                                                    let _e1380 = global_10.member[_e1377];
+                                                    phi_1610_ = _e1380;
                                                 } else {
-                                                    phi_1192_ = 4294967295u;
+                                                    phi_1610_ = 4294967295u;
                                                 }
-                                                let _e1155 = phi_1192_;
-                                                if _e1133 {
-                                                    phi_1225_ = 0u;
+                                                let _e1382 = phi_1610_;
+                                                if _e1360 {
+                                                    phi_1643_ = 0u;
                                                 } else {
-                                                    phi_1225_ = select(2u, 1u, (_e1131 < (2097152f * _e162)));
+                                                    phi_1643_ = select(2u, 1u, (_e1358 < (2097152f * _e168)));
                                                 }
-                                                let _e1160 = phi_1225_;
-                                                switch bitcast<i32>(_e1160) {
+                                                let _e1387 = phi_1643_;
+                                                switch bitcast<i32>(_e1387) {
                                                     case 0: {
-                                                        phi_1231_ = 1u;
+                                                        phi_1649_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1231_ = 2u;
+                                                        phi_1649_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1231_ = 3u;
+                                                        phi_1649_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1231_ = u32();
+                                                        phi_1649_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1163 = phi_1231_;
-                                                let _e1167 = (_e635 + (_e1112.member_1 * ((3u * _e1163) + 1u)));
-                                                switch bitcast<i32>(_e1160) {
+                                                let _e1390 = phi_1649_;
+                                                let _e1394 = (_e856 + (_e1339.member_1 * ((3u * _e1390) + 1u)));
+                                                switch bitcast<i32>(_e1387) {
                                                     case 0: {
-                                                        let _e1433 = (_e1167 < _e106);
-                                                        if _e1433 {
-                                                            if _e1433 {
+                                                        let _e1669 = (_e1394 < _e112);
+                                                        if _e1669 {
+                                                            if _e1669 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1435 = global_10.member[_e1167];
-                                                            phi_1255_ = _e1435;
+                                                            let _e1671 = global_10.member[_e1394];
+                                                            phi_1673_ = _e1671;
                                                         } else {
-                                                            phi_1255_ = 0u;
+                                                            phi_1673_ = 0u;
                                                         }
-                                                        let _e1437 = phi_1255_;
-                                                        let _e1439 = ((10u * _e365) & 31u);
-                                                        let _e1448 = ((10u * _e364) & 31u);
-                                                        let _e1457 = ((10u * _e366) & 31u);
-                                                        let _e1466 = (_e1167 + 1u);
-                                                        let _e1467 = (_e1466 < _e106);
-                                                        if _e1467 {
-                                                            if _e1467 {
+                                                        let _e1673 = phi_1673_;
+                                                        let _e1675 = ((10u * _e431) & 31u);
+                                                        let _e1685 = ((10u * _e430) & 31u);
+                                                        let _e1695 = ((10u * _e432) & 31u);
+                                                        let _e1705 = (_e1394 + 1u);
+                                                        let _e1706 = (_e1705 < _e112);
+                                                        if _e1706 {
+                                                            if _e1706 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1469 = global_10.member[_e1466];
-                                                            phi_1298_ = _e1469;
+                                                            let _e1708 = global_10.member[_e1705];
+                                                            phi_1719_ = _e1708;
                                                         } else {
-                                                            phi_1298_ = 0u;
+                                                            phi_1719_ = 0u;
                                                         }
-                                                        let _e1471 = phi_1298_;
-                                                        let _e1494 = (_e1167 + 2u);
-                                                        let _e1495 = (_e1494 < _e106);
-                                                        if _e1495 {
-                                                            if _e1495 {
+                                                        let _e1710 = phi_1719_;
+                                                        let _e1736 = (_e1394 + 2u);
+                                                        let _e1737 = (_e1736 < _e112);
+                                                        if _e1737 {
+                                                            if _e1737 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1497 = global_10.member[_e1494];
-                                                            phi_1341_ = _e1497;
+                                                            let _e1739 = global_10.member[_e1736];
+                                                            phi_1765_ = _e1739;
                                                         } else {
-                                                            phi_1341_ = 0u;
+                                                            phi_1765_ = 0u;
                                                         }
-                                                        let _e1499 = phi_1341_;
-                                                        phi_1812_ = array<array<f32, 3>, 3>(array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>(((_e1437 >> bitcast<u32>(_e1439)) & 1023u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>(((_e1437 >> bitcast<u32>(_e1448)) & 1023u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>(((_e1437 >> bitcast<u32>(_e1457)) & 1023u))) * _e162))), array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>(((_e1471 >> bitcast<u32>(_e1439)) & 1023u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>(((_e1471 >> bitcast<u32>(_e1448)) & 1023u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>(((_e1471 >> bitcast<u32>(_e1457)) & 1023u))) * _e162))), array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>(((_e1499 >> bitcast<u32>(_e1439)) & 1023u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>(((_e1499 >> bitcast<u32>(_e1448)) & 1023u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>(((_e1499 >> bitcast<u32>(_e1457)) & 1023u))) * _e162))));
+                                                        let _e1741 = phi_1765_;
+                                                        phi_2248_ = array<array<f32, 3>, 3>(array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))), array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))), array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1256 = (_e1167 < _e106);
-                                                        if _e1256 {
-                                                            if _e1256 {
+                                                        let _e1483 = (_e1394 < _e112);
+                                                        if _e1483 {
+                                                            if _e1483 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1258 = global_10.member[_e1167];
-                                                            phi_1384_ = _e1258;
+                                                            let _e1485 = global_10.member[_e1394];
+                                                            phi_1811_ = _e1485;
                                                         } else {
-                                                            phi_1384_ = 0u;
+                                                            phi_1811_ = 0u;
                                                         }
-                                                        let _e1260 = phi_1384_;
-                                                        let _e1261 = (_e1167 + 1u);
-                                                        let _e1262 = (_e1261 < _e106);
-                                                        if _e1262 {
-                                                            if _e1262 {
+                                                        let _e1487 = phi_1811_;
+                                                        let _e1488 = (_e1394 + 1u);
+                                                        let _e1489 = (_e1488 < _e112);
+                                                        if _e1489 {
+                                                            if _e1489 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1264 = global_10.member[_e1261];
-                                                            phi_1399_ = _e1264;
+                                                            let _e1491 = global_10.member[_e1488];
+                                                            phi_1826_ = _e1491;
                                                         } else {
-                                                            phi_1399_ = 0u;
+                                                            phi_1826_ = 0u;
                                                         }
-                                                        let _e1266 = phi_1399_;
-                                                        let _e1267 = (_e365 == 1u);
-                                                        if _e1267 {
-                                                            phi_1409_ = ((_e1260 >> bitcast<u32>(21i)) | (_e1266 << bitcast<u32>(11i)));
+                                                        let _e1493 = phi_1826_;
+                                                        let _e1494 = (_e431 == 1u);
+                                                        if _e1494 {
+                                                            phi_1836_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1409_ = (_e1266 >> bitcast<u32>(10i));
+                                                            phi_1836_ = (_e1493 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1276 = phi_1409_;
-                                                        let _e1283 = (_e364 == 1u);
-                                                        if _e1283 {
-                                                            phi_1429_ = ((_e1260 >> bitcast<u32>(21i)) | (_e1266 << bitcast<u32>(11i)));
+                                                        let _e1503 = phi_1836_;
+                                                        let _e1511 = (_e430 == 1u);
+                                                        if _e1511 {
+                                                            phi_1857_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1429_ = (_e1266 >> bitcast<u32>(10i));
+                                                            phi_1857_ = (_e1493 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1292 = phi_1429_;
-                                                        let _e1299 = (_e366 == 1u);
-                                                        if _e1299 {
-                                                            phi_1449_ = ((_e1260 >> bitcast<u32>(21i)) | (_e1266 << bitcast<u32>(11i)));
+                                                        let _e1520 = phi_1857_;
+                                                        let _e1528 = (_e432 == 1u);
+                                                        if _e1528 {
+                                                            phi_1878_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1449_ = (_e1266 >> bitcast<u32>(10i));
+                                                            phi_1878_ = (_e1493 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1308 = phi_1449_;
-                                                        let _e1316 = (_e1167 + 2u);
-                                                        let _e1317 = (_e1316 < _e106);
-                                                        if _e1317 {
-                                                            if _e1317 {
+                                                        let _e1537 = phi_1878_;
+                                                        let _e1546 = (_e1394 + 2u);
+                                                        let _e1547 = (_e1546 < _e112);
+                                                        if _e1547 {
+                                                            if _e1547 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1319 = global_10.member[_e1316];
-                                                            phi_1475_ = _e1319;
+                                                            let _e1549 = global_10.member[_e1546];
+                                                            phi_1905_ = _e1549;
                                                         } else {
-                                                            phi_1475_ = 0u;
+                                                            phi_1905_ = 0u;
                                                         }
-                                                        let _e1321 = phi_1475_;
-                                                        let _e1322 = (_e1167 + 3u);
-                                                        let _e1323 = (_e1322 < _e106);
-                                                        if _e1323 {
-                                                            if _e1323 {
+                                                        let _e1551 = phi_1905_;
+                                                        let _e1552 = (_e1394 + 3u);
+                                                        let _e1553 = (_e1552 < _e112);
+                                                        if _e1553 {
+                                                            if _e1553 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1325 = global_10.member[_e1322];
-                                                            phi_1490_ = _e1325;
+                                                            let _e1555 = global_10.member[_e1552];
+                                                            phi_1920_ = _e1555;
                                                         } else {
-                                                            phi_1490_ = 0u;
+                                                            phi_1920_ = 0u;
                                                         }
-                                                        let _e1327 = phi_1490_;
-                                                        if _e1267 {
-                                                            phi_1500_ = ((_e1321 >> bitcast<u32>(21i)) | (_e1327 << bitcast<u32>(11i)));
+                                                        let _e1557 = phi_1920_;
+                                                        if _e1494 {
+                                                            phi_1930_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1500_ = (_e1327 >> bitcast<u32>(10i));
+                                                            phi_1930_ = (_e1557 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1336 = phi_1500_;
-                                                        if _e1283 {
-                                                            phi_1520_ = ((_e1321 >> bitcast<u32>(21i)) | (_e1327 << bitcast<u32>(11i)));
+                                                        let _e1566 = phi_1930_;
+                                                        if _e1511 {
+                                                            phi_1951_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1520_ = (_e1327 >> bitcast<u32>(10i));
+                                                            phi_1951_ = (_e1557 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1351 = phi_1520_;
-                                                        if _e1299 {
-                                                            phi_1540_ = ((_e1321 >> bitcast<u32>(21i)) | (_e1327 << bitcast<u32>(11i)));
+                                                        let _e1582 = phi_1951_;
+                                                        if _e1528 {
+                                                            phi_1972_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1540_ = (_e1327 >> bitcast<u32>(10i));
+                                                            phi_1972_ = (_e1557 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1366 = phi_1540_;
-                                                        let _e1374 = (_e1167 + 4u);
-                                                        let _e1375 = (_e1374 < _e106);
-                                                        if _e1375 {
-                                                            if _e1375 {
+                                                        let _e1598 = phi_1972_;
+                                                        let _e1607 = (_e1394 + 4u);
+                                                        let _e1608 = (_e1607 < _e112);
+                                                        if _e1608 {
+                                                            if _e1608 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1377 = global_10.member[_e1374];
-                                                            phi_1566_ = _e1377;
+                                                            let _e1610 = global_10.member[_e1607];
+                                                            phi_1999_ = _e1610;
                                                         } else {
-                                                            phi_1566_ = 0u;
+                                                            phi_1999_ = 0u;
                                                         }
-                                                        let _e1379 = phi_1566_;
-                                                        let _e1380 = (_e1167 + 5u);
-                                                        let _e1381 = (_e1380 < _e106);
-                                                        if _e1381 {
-                                                            if _e1381 {
+                                                        let _e1612 = phi_1999_;
+                                                        let _e1613 = (_e1394 + 5u);
+                                                        let _e1614 = (_e1613 < _e112);
+                                                        if _e1614 {
+                                                            if _e1614 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1383 = global_10.member[_e1380];
-                                                            phi_1581_ = _e1383;
+                                                            let _e1616 = global_10.member[_e1613];
+                                                            phi_2014_ = _e1616;
                                                         } else {
-                                                            phi_1581_ = 0u;
+                                                            phi_2014_ = 0u;
                                                         }
-                                                        let _e1385 = phi_1581_;
-                                                        if _e1267 {
-                                                            phi_1591_ = ((_e1379 >> bitcast<u32>(21i)) | (_e1385 << bitcast<u32>(11i)));
+                                                        let _e1618 = phi_2014_;
+                                                        if _e1494 {
+                                                            phi_2024_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1591_ = (_e1385 >> bitcast<u32>(10i));
+                                                            phi_2024_ = (_e1618 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1394 = phi_1591_;
-                                                        if _e1283 {
-                                                            phi_1611_ = ((_e1379 >> bitcast<u32>(21i)) | (_e1385 << bitcast<u32>(11i)));
+                                                        let _e1627 = phi_2024_;
+                                                        if _e1511 {
+                                                            phi_2045_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1611_ = (_e1385 >> bitcast<u32>(10i));
+                                                            phi_2045_ = (_e1618 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1409 = phi_1611_;
-                                                        if _e1299 {
-                                                            phi_1631_ = ((_e1379 >> bitcast<u32>(21i)) | (_e1385 << bitcast<u32>(11i)));
+                                                        let _e1643 = phi_2045_;
+                                                        if _e1528 {
+                                                            phi_2066_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1631_ = (_e1385 >> bitcast<u32>(10i));
+                                                            phi_2066_ = (_e1618 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1424 = phi_1631_;
-                                                        phi_1812_ = array<array<f32, 3>, 3>(array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>((select(_e1276, _e1260, _e389) & 2097151u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>((select(_e1292, _e1260, _e426) & 2097151u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>((select(_e1308, _e1260, _e462) & 2097151u))) * _e162))), array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>((select(_e1336, _e1321, _e389) & 2097151u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>((select(_e1351, _e1321, _e426) & 2097151u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>((select(_e1366, _e1321, _e462) & 2097151u))) * _e162))), array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>((select(_e1394, _e1379, _e389) & 2097151u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>((select(_e1409, _e1379, _e426) & 2097151u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>((select(_e1424, _e1379, _e462) & 2097151u))) * _e162))));
+                                                        let _e1659 = phi_2066_;
+                                                        phi_2248_ = array<array<f32, 3>, 3>(array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1503, _e1487, _e455) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1520, _e1487, _e522) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1537, _e1487, _e588) & 2097151u))) - 8388608f) * _e168))), array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1566, _e1551, _e455) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1582, _e1551, _e522) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1598, _e1551, _e588) & 2097151u))) - 8388608f) * _e168))), array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1627, _e1612, _e455) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1643, _e1612, _e522) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1659, _e1612, _e588) & 2097151u))) - 8388608f) * _e168))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1169 = (_e1167 + _e365);
-                                                        let _e1170 = (_e1169 < _e106);
-                                                        if _e1170 {
-                                                            if _e1170 {
+                                                        let _e1396 = (_e1394 + _e431);
+                                                        let _e1397 = (_e1396 < _e112);
+                                                        if _e1397 {
+                                                            if _e1397 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1172 = global_10.member[_e1169];
-                                                            phi_1658_ = _e1172;
+                                                            let _e1399 = global_10.member[_e1396];
+                                                            phi_2094_ = _e1399;
                                                         } else {
-                                                            phi_1658_ = 0u;
+                                                            phi_2094_ = 0u;
                                                         }
-                                                        let _e1174 = phi_1658_;
-                                                        let _e1178 = (_e1167 + _e364);
-                                                        let _e1179 = (_e1178 < _e106);
-                                                        if _e1179 {
-                                                            if _e1179 {
+                                                        let _e1401 = phi_2094_;
+                                                        let _e1405 = (_e1394 + _e430);
+                                                        let _e1406 = (_e1405 < _e112);
+                                                        if _e1406 {
+                                                            if _e1406 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1181 = global_10.member[_e1178];
-                                                            phi_1676_ = _e1181;
+                                                            let _e1408 = global_10.member[_e1405];
+                                                            phi_2112_ = _e1408;
                                                         } else {
-                                                            phi_1676_ = 0u;
+                                                            phi_2112_ = 0u;
                                                         }
-                                                        let _e1183 = phi_1676_;
-                                                        let _e1187 = (_e1167 + _e366);
-                                                        let _e1188 = (_e1187 < _e106);
-                                                        if _e1188 {
-                                                            if _e1188 {
+                                                        let _e1410 = phi_2112_;
+                                                        let _e1414 = (_e1394 + _e432);
+                                                        let _e1415 = (_e1414 < _e112);
+                                                        if _e1415 {
+                                                            if _e1415 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1190 = global_10.member[_e1187];
-                                                            phi_1694_ = _e1190;
+                                                            let _e1417 = global_10.member[_e1414];
+                                                            phi_2130_ = _e1417;
                                                         } else {
-                                                            phi_1694_ = 0u;
+                                                            phi_2130_ = 0u;
                                                         }
-                                                        let _e1192 = phi_1694_;
-                                                        let _e1197 = (_e1167 + 3u);
-                                                        let _e1198 = (_e1197 + _e365);
-                                                        let _e1199 = (_e1198 < _e106);
-                                                        if _e1199 {
-                                                            if _e1199 {
+                                                        let _e1419 = phi_2130_;
+                                                        let _e1424 = (_e1394 + 3u);
+                                                        let _e1425 = (_e1424 + _e431);
+                                                        let _e1426 = (_e1425 < _e112);
+                                                        if _e1426 {
+                                                            if _e1426 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1201 = global_10.member[_e1198];
-                                                            phi_1714_ = _e1201;
+                                                            let _e1428 = global_10.member[_e1425];
+                                                            phi_2150_ = _e1428;
                                                         } else {
-                                                            phi_1714_ = 0u;
+                                                            phi_2150_ = 0u;
                                                         }
-                                                        let _e1203 = phi_1714_;
-                                                        let _e1207 = (_e1197 + _e364);
-                                                        let _e1208 = (_e1207 < _e106);
-                                                        if _e1208 {
-                                                            if _e1208 {
+                                                        let _e1430 = phi_2150_;
+                                                        let _e1434 = (_e1424 + _e430);
+                                                        let _e1435 = (_e1434 < _e112);
+                                                        if _e1435 {
+                                                            if _e1435 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1210 = global_10.member[_e1207];
-                                                            phi_1732_ = _e1210;
+                                                            let _e1437 = global_10.member[_e1434];
+                                                            phi_2168_ = _e1437;
                                                         } else {
-                                                            phi_1732_ = 0u;
+                                                            phi_2168_ = 0u;
                                                         }
-                                                        let _e1212 = phi_1732_;
-                                                        let _e1216 = (_e1197 + _e366);
-                                                        let _e1217 = (_e1216 < _e106);
-                                                        if _e1217 {
-                                                            if _e1217 {
+                                                        let _e1439 = phi_2168_;
+                                                        let _e1443 = (_e1424 + _e432);
+                                                        let _e1444 = (_e1443 < _e112);
+                                                        if _e1444 {
+                                                            if _e1444 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1219 = global_10.member[_e1216];
-                                                            phi_1750_ = _e1219;
+                                                            let _e1446 = global_10.member[_e1443];
+                                                            phi_2186_ = _e1446;
                                                         } else {
-                                                            phi_1750_ = 0u;
+                                                            phi_2186_ = 0u;
                                                         }
-                                                        let _e1221 = phi_1750_;
-                                                        let _e1226 = (_e1167 + 6u);
-                                                        let _e1227 = (_e1226 + _e365);
-                                                        let _e1228 = (_e1227 < _e106);
-                                                        if _e1228 {
-                                                            if _e1228 {
+                                                        let _e1448 = phi_2186_;
+                                                        let _e1453 = (_e1394 + 6u);
+                                                        let _e1454 = (_e1453 + _e431);
+                                                        let _e1455 = (_e1454 < _e112);
+                                                        if _e1455 {
+                                                            if _e1455 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1230 = global_10.member[_e1227];
-                                                            phi_1770_ = _e1230;
+                                                            let _e1457 = global_10.member[_e1454];
+                                                            phi_2206_ = _e1457;
                                                         } else {
-                                                            phi_1770_ = 0u;
+                                                            phi_2206_ = 0u;
                                                         }
-                                                        let _e1232 = phi_1770_;
-                                                        let _e1236 = (_e1226 + _e364);
-                                                        let _e1237 = (_e1236 < _e106);
-                                                        if _e1237 {
-                                                            if _e1237 {
+                                                        let _e1459 = phi_2206_;
+                                                        let _e1463 = (_e1453 + _e430);
+                                                        let _e1464 = (_e1463 < _e112);
+                                                        if _e1464 {
+                                                            if _e1464 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1239 = global_10.member[_e1236];
-                                                            phi_1788_ = _e1239;
+                                                            let _e1466 = global_10.member[_e1463];
+                                                            phi_2224_ = _e1466;
                                                         } else {
-                                                            phi_1788_ = 0u;
+                                                            phi_2224_ = 0u;
                                                         }
-                                                        let _e1241 = phi_1788_;
-                                                        let _e1245 = (_e1226 + _e366);
-                                                        let _e1246 = (_e1245 < _e106);
-                                                        if _e1246 {
-                                                            if _e1246 {
+                                                        let _e1468 = phi_2224_;
+                                                        let _e1472 = (_e1453 + _e432);
+                                                        let _e1473 = (_e1472 < _e112);
+                                                        if _e1473 {
+                                                            if _e1473 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1248 = global_10.member[_e1245];
-                                                            phi_1806_ = _e1248;
+                                                            let _e1475 = global_10.member[_e1472];
+                                                            phi_2242_ = _e1475;
                                                         } else {
-                                                            phi_1806_ = 0u;
+                                                            phi_2242_ = 0u;
                                                         }
-                                                        let _e1250 = phi_1806_;
-                                                        phi_1812_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1174)) * _e162), (f32(bitcast<i32>(_e1183)) * _e162), (f32(bitcast<i32>(_e1192)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1203)) * _e162), (f32(bitcast<i32>(_e1212)) * _e162), (f32(bitcast<i32>(_e1221)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1232)) * _e162), (f32(bitcast<i32>(_e1241)) * _e162), (f32(bitcast<i32>(_e1250)) * _e162)));
+                                                        let _e1477 = phi_2242_;
+                                                        phi_2248_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1401)) * _e168), (f32(bitcast<i32>(_e1410)) * _e168), (f32(bitcast<i32>(_e1419)) * _e168)), array<f32, 3>((f32(bitcast<i32>(_e1430)) * _e168), (f32(bitcast<i32>(_e1439)) * _e168), (f32(bitcast<i32>(_e1448)) * _e168)), array<f32, 3>((f32(bitcast<i32>(_e1459)) * _e168), (f32(bitcast<i32>(_e1468)) * _e168), (f32(bitcast<i32>(_e1477)) * _e168)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1812_ = array<array<f32, 3>, 3>();
+                                                        phi_2248_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1524 = phi_1812_;
-                                                let _e1532 = (_e1524[0][2] - _e470);
-                                                let _e1535 = (((_e1524[0][0] - _e397) * _e494) - (_e1532 * _e422));
-                                                let _e1538 = (((_e1524[0][1] - _e434) * _e494) - (_e1532 * _e458));
-                                                let _e1545 = (_e1524[1][2] - _e470);
-                                                let _e1548 = (((_e1524[1][0] - _e397) * _e494) - (_e1545 * _e422));
-                                                let _e1551 = (((_e1524[1][1] - _e434) * _e494) - (_e1545 * _e458));
-                                                let _e1558 = (_e1524[2][2] - _e470);
-                                                let _e1561 = (((_e1524[2][0] - _e397) * _e494) - (_e1558 * _e422));
-                                                let _e1564 = (((_e1524[2][1] - _e434) * _e494) - (_e1558 * _e458));
-                                                let _e1565 = (_e1561 * _e1551);
-                                                let _e1566 = (_e1564 * _e1548);
-                                                let _e1567 = (_e1535 * _e1564);
-                                                let _e1568 = (_e1538 * _e1561);
-                                                let _e1569 = (_e1548 * _e1538);
-                                                let _e1570 = (_e1551 * _e1535);
-                                                let _e1575 = (((_e1565 >= _e1566) && (_e1567 >= _e1568)) && (_e1569 >= _e1570));
-                                                if (_e1575 || (((_e1565 <= _e1566) && (_e1567 <= _e1568)) && (_e1569 <= _e1570))) {
-                                                    let _e1582 = select(-1f, 1f, _e1575);
-                                                    let _e1584 = ((_e1565 - _e1566) * _e1582);
-                                                    let _e1586 = select(0f, _e1584, (_e1584 > 0f));
-                                                    let _e1588 = ((_e1567 - _e1568) * _e1582);
-                                                    let _e1590 = select(0f, _e1588, (_e1588 > 0f));
-                                                    let _e1592 = ((_e1569 - _e1570) * _e1582);
-                                                    let _e1594 = select(0f, _e1592, (_e1592 > 0f));
-                                                    let _e1596 = ((_e1586 + _e1590) + _e1594);
-                                                    if (_e1596 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2637_ = type_25();
-                                                        phi_2638_ = true;
-                                                        phi_2639_ = false;
+                                                let _e1769 = phi_2248_;
+                                                let _e1777 = (_e1769[0][2] - _e611);
+                                                let _e1780 = (((_e1769[0][0] - _e478) * _e650) - (_e1777 * _e518));
+                                                let _e1783 = (((_e1769[0][1] - _e545) * _e650) - (_e1777 * _e584));
+                                                let _e1790 = (_e1769[1][2] - _e611);
+                                                let _e1793 = (((_e1769[1][0] - _e478) * _e650) - (_e1790 * _e518));
+                                                let _e1796 = (((_e1769[1][1] - _e545) * _e650) - (_e1790 * _e584));
+                                                let _e1803 = (_e1769[2][2] - _e611);
+                                                let _e1806 = (((_e1769[2][0] - _e478) * _e650) - (_e1803 * _e518));
+                                                let _e1809 = (((_e1769[2][1] - _e545) * _e650) - (_e1803 * _e584));
+                                                let _e1810 = (_e1806 * _e1796);
+                                                let _e1811 = (_e1809 * _e1793);
+                                                let _e1812 = (_e1780 * _e1809);
+                                                let _e1813 = (_e1783 * _e1806);
+                                                let _e1814 = (_e1793 * _e1783);
+                                                let _e1815 = (_e1796 * _e1780);
+                                                let _e1820 = (((_e1810 >= _e1811) && (_e1812 >= _e1813)) && (_e1814 >= _e1815));
+                                                if (_e1820 || (((_e1810 <= _e1811) && (_e1812 <= _e1813)) && (_e1814 <= _e1815))) {
+                                                    let _e1827 = select(-1f, 1f, _e1820);
+                                                    let _e1829 = ((_e1810 - _e1811) * _e1827);
+                                                    let _e1831 = select(0f, _e1829, (_e1829 > 0f));
+                                                    let _e1833 = ((_e1812 - _e1813) * _e1827);
+                                                    let _e1835 = select(0f, _e1833, (_e1833 > 0f));
+                                                    let _e1837 = ((_e1814 - _e1815) * _e1827);
+                                                    let _e1839 = select(0f, _e1837, (_e1837 > 0f));
+                                                    let _e1841 = ((_e1831 + _e1835) + _e1839);
+                                                    if (_e1841 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_3073_ = type_25();
+                                                        phi_3074_ = true;
+                                                        phi_3075_ = false;
                                                     } else {
-                                                        let _e1599 = select(_e1548, _e1535, (_e1535 < _e1548));
-                                                        if (select(_e1561, _e1599, (_e1599 < _e1561)) > 0f) {
-                                                            phi_1929_ = true;
+                                                        let _e1844 = select(_e1793, _e1780, (_e1780 < _e1793));
+                                                        if (select(_e1806, _e1844, (_e1844 < _e1806)) > 0f) {
+                                                            phi_2365_ = true;
                                                         } else {
-                                                            let _e1604 = select(_e1548, _e1535, (_e1535 > _e1548));
-                                                            phi_1929_ = (select(_e1561, _e1604, (_e1604 > _e1561)) < 0f);
+                                                            let _e1849 = select(_e1793, _e1780, (_e1780 > _e1793));
+                                                            phi_2365_ = (select(_e1806, _e1849, (_e1849 > _e1806)) < 0f);
                                                         }
-                                                        let _e1609 = phi_1929_;
-                                                        if _e1609 {
-                                                            phi_2634_ = type_25();
-                                                            phi_2635_ = true;
-                                                            phi_2636_ = false;
+                                                        let _e1854 = phi_2365_;
+                                                        if _e1854 {
+                                                            phi_3070_ = type_25();
+                                                            phi_3071_ = true;
+                                                            phi_3072_ = false;
                                                         } else {
-                                                            let _e1611 = select(_e1551, _e1538, (_e1538 < _e1551));
-                                                            if (select(_e1564, _e1611, (_e1611 < _e1564)) > 0f) {
-                                                                phi_1958_ = true;
+                                                            let _e1856 = select(_e1796, _e1783, (_e1783 < _e1796));
+                                                            if (select(_e1809, _e1856, (_e1856 < _e1809)) > 0f) {
+                                                                phi_2394_ = true;
                                                             } else {
-                                                                let _e1616 = select(_e1551, _e1538, (_e1538 > _e1551));
-                                                                phi_1958_ = (select(_e1564, _e1616, (_e1616 > _e1564)) < 0f);
+                                                                let _e1861 = select(_e1796, _e1783, (_e1783 > _e1796));
+                                                                phi_2394_ = (select(_e1809, _e1861, (_e1861 > _e1809)) < 0f);
                                                             }
-                                                            let _e1621 = phi_1958_;
-                                                            if _e1621 {
-                                                                phi_2632_ = type_25();
-                                                                phi_2633_ = false;
+                                                            let _e1866 = phi_2394_;
+                                                            if _e1866 {
+                                                                phi_3068_ = type_25();
+                                                                phi_3069_ = false;
                                                             } else {
-                                                                let _e1623 = select(_e1524[1][0], _e1524[0][0], (_e1524[0][0] < _e1524[1][0]));
-                                                                let _e1627 = select(_e1524[1][0], _e1524[0][0], (_e1524[0][0] > _e1524[1][0]));
-                                                                let _e1631 = select(_e1524[1][1], _e1524[0][1], (_e1524[0][1] < _e1524[1][1]));
-                                                                let _e1635 = select(_e1524[1][1], _e1524[0][1], (_e1524[0][1] > _e1524[1][1]));
-                                                                let _e1639 = select(_e1524[1][2], _e1524[0][2], (_e1524[0][2] < _e1524[1][2]));
-                                                                let _e1643 = select(_e1524[1][2], _e1524[0][2], (_e1524[0][2] > _e1524[1][2]));
-                                                                let _e1648 = ((select(_e1524[2][0], _e1623, (_e1623 < _e1524[2][0])) - _e420) * _e425);
-                                                                let _e1649 = ((select(_e1524[2][0], _e1627, (_e1627 > _e1524[2][0])) - _e421) * _e425);
-                                                                let _e1652 = ((select(_e1524[2][1], _e1631, (_e1631 < _e1524[2][1])) - _e456) * _e461);
-                                                                let _e1653 = ((select(_e1524[2][1], _e1635, (_e1635 > _e1524[2][1])) - _e457) * _e461);
-                                                                let _e1656 = ((select(_e1524[2][2], _e1639, (_e1639 < _e1524[2][2])) - _e492) * _e497);
-                                                                let _e1657 = ((select(_e1524[2][2], _e1643, (_e1643 > _e1524[2][2])) - _e493) * _e497);
-                                                                let _e1659 = select(_e1657, _e1656, (_e1656 < _e1657));
-                                                                let _e1661 = select(_e1657, _e1656, (_e1656 > _e1657));
-                                                                let _e1663 = select(_e1649, _e1648, (_e1648 < _e1649));
-                                                                let _e1665 = select(_e1653, _e1652, (_e1652 < _e1653));
-                                                                let _e1667 = select(_e1665, _e1663, (_e1663 > _e1665));
-                                                                let _e1669 = select(_e1659, _e1667, (_e1667 > _e1659));
-                                                                let _e1671 = select(_e1649, _e1648, (_e1648 > _e1649));
-                                                                let _e1673 = select(_e1653, _e1652, (_e1652 > _e1653));
-                                                                let _e1675 = select(_e1673, _e1671, (_e1671 < _e1673));
-                                                                let _e1677 = select(_e1661, _e1675, (_e1675 < _e1661));
-                                                                let _e1678 = -(_e1659);
-                                                                let _e1684 = select(_e543, _e1669, (_e1669 > _e543));
-                                                                if (_e1684 > (_e1677 + (select(_e1678, _e1661, (_e1661 > _e1678)) * 0.0000019073523f))) {
-                                                                    phi_2627_ = type_25();
-                                                                    phi_2628_ = true;
+                                                                let _e1868 = select(_e1769[1][0], _e1769[0][0], (_e1769[0][0] < _e1769[1][0]));
+                                                                let _e1872 = select(_e1769[1][0], _e1769[0][0], (_e1769[0][0] > _e1769[1][0]));
+                                                                let _e1876 = select(_e1769[1][1], _e1769[0][1], (_e1769[0][1] < _e1769[1][1]));
+                                                                let _e1880 = select(_e1769[1][1], _e1769[0][1], (_e1769[0][1] > _e1769[1][1]));
+                                                                let _e1884 = select(_e1769[1][2], _e1769[0][2], (_e1769[0][2] < _e1769[1][2]));
+                                                                let _e1888 = select(_e1769[1][2], _e1769[0][2], (_e1769[0][2] > _e1769[1][2]));
+                                                                let _e1893 = ((select(_e1769[2][0], _e1868, (_e1868 < _e1769[2][0])) - _e516) * _e521);
+                                                                let _e1894 = ((select(_e1769[2][0], _e1872, (_e1872 > _e1769[2][0])) - _e517) * _e521);
+                                                                let _e1897 = ((select(_e1769[2][1], _e1876, (_e1876 < _e1769[2][1])) - _e582) * _e587);
+                                                                let _e1898 = ((select(_e1769[2][1], _e1880, (_e1880 > _e1769[2][1])) - _e583) * _e587);
+                                                                let _e1901 = ((select(_e1769[2][2], _e1884, (_e1884 < _e1769[2][2])) - _e648) * _e653);
+                                                                let _e1902 = ((select(_e1769[2][2], _e1888, (_e1888 > _e1769[2][2])) - _e649) * _e653);
+                                                                let _e1904 = select(_e1902, _e1901, (_e1901 < _e1902));
+                                                                let _e1906 = select(_e1902, _e1901, (_e1901 > _e1902));
+                                                                let _e1908 = select(_e1894, _e1893, (_e1893 < _e1894));
+                                                                let _e1910 = select(_e1898, _e1897, (_e1897 < _e1898));
+                                                                let _e1912 = select(_e1910, _e1908, (_e1908 > _e1910));
+                                                                let _e1914 = select(_e1904, _e1912, (_e1912 > _e1904));
+                                                                let _e1916 = select(_e1894, _e1893, (_e1893 > _e1894));
+                                                                let _e1918 = select(_e1898, _e1897, (_e1897 > _e1898));
+                                                                let _e1920 = select(_e1918, _e1916, (_e1916 < _e1918));
+                                                                let _e1922 = select(_e1906, _e1920, (_e1920 < _e1906));
+                                                                let _e1923 = -(_e1904);
+                                                                let _e1929 = select(_e764, _e1914, (_e1914 > _e764));
+                                                                if (_e1929 > (_e1922 + (select(_e1923, _e1906, (_e1906 > _e1923)) * 0.0000019073523f))) {
+                                                                    phi_3063_ = type_25();
+                                                                    phi_3064_ = true;
                                                                 } else {
-                                                                    let _e1686 = (_e1684 > _e1095.member_1);
-                                                                    if _e1686 {
-                                                                        phi_2626_ = type_25();
+                                                                    let _e1931 = (_e1929 > _e1322.member_1);
+                                                                    if _e1931 {
+                                                                        phi_3062_ = type_25();
                                                                     } else {
-                                                                        let _e1687 = vec3<f32>(_e1524[0][0], _e1524[0][1], _e1524[0][2]);
-                                                                        let _e1688 = vec3<f32>(_e1524[1][0], _e1524[1][1], _e1524[1][2]);
-                                                                        let _e1689 = vec3<f32>(_e1524[2][0], _e1524[2][1], _e1524[2][2]);
-                                                                        let _e1690 = (_e1524[1][0] - _e1524[0][0]);
-                                                                        let _e1691 = (_e1524[1][1] - _e1524[0][1]);
-                                                                        let _e1692 = (_e1524[1][2] - _e1524[0][2]);
-                                                                        let _e1693 = vec3<f32>(_e1690, _e1691, _e1692);
-                                                                        let _e1694 = (_e1524[2][0] - _e1524[1][0]);
-                                                                        let _e1695 = (_e1524[2][1] - _e1524[1][1]);
-                                                                        let _e1696 = (_e1524[2][2] - _e1524[1][2]);
-                                                                        let _e1697 = vec3<f32>(_e1694, _e1695, _e1696);
-                                                                        let _e1698 = (_e1524[0][0] - _e1524[2][0]);
-                                                                        let _e1699 = (_e1524[0][1] - _e1524[2][1]);
-                                                                        let _e1700 = (_e1524[0][2] - _e1524[2][2]);
-                                                                        let _e1701 = vec3<f32>(_e1698, _e1699, _e1700);
-                                                                        let _e1704 = bitcast<f32>((bitcast<u32>(_e1690) & 2147483647u));
-                                                                        let _e1707 = bitcast<f32>((bitcast<u32>(_e1691) & 2147483647u));
-                                                                        let _e1709 = select(_e1707, _e1704, (_e1704 > _e1707));
-                                                                        let _e1712 = bitcast<f32>((bitcast<u32>(_e1692) & 2147483647u));
-                                                                        let _e1714 = select(_e1712, _e1709, (_e1709 > _e1712));
-                                                                        let _e1717 = bitcast<f32>((bitcast<u32>(_e1694) & 2147483647u));
-                                                                        let _e1720 = bitcast<f32>((bitcast<u32>(_e1695) & 2147483647u));
-                                                                        let _e1722 = select(_e1720, _e1717, (_e1717 > _e1720));
-                                                                        let _e1725 = bitcast<f32>((bitcast<u32>(_e1696) & 2147483647u));
-                                                                        let _e1727 = select(_e1725, _e1722, (_e1722 > _e1725));
-                                                                        let _e1730 = bitcast<f32>((bitcast<u32>(_e1698) & 2147483647u));
-                                                                        let _e1733 = bitcast<f32>((bitcast<u32>(_e1699) & 2147483647u));
-                                                                        let _e1735 = select(_e1733, _e1730, (_e1730 > _e1733));
-                                                                        let _e1738 = bitcast<f32>((bitcast<u32>(_e1700) & 2147483647u));
-                                                                        let _e1740 = select(_e1738, _e1735, (_e1735 > _e1738));
-                                                                        let _e1742 = select(_e1727, _e1714, (_e1714 > _e1727));
-                                                                        let _e1744 = select(_e1740, _e1742, (_e1742 > _e1740));
-                                                                        if (_e1714 == _e1744) {
-                                                                            phi_2359_ = _e1551;
-                                                                            phi_2360_ = _e1548;
-                                                                            phi_2361_ = _e1538;
-                                                                            phi_2362_ = _e1535;
-                                                                            phi_2363_ = _e1687;
-                                                                            phi_2364_ = _e1701;
-                                                                            phi_2365_ = _e1697;
-                                                                            phi_2366_ = _e1693;
+                                                                        let _e1932 = vec3<f32>(_e1769[0][0], _e1769[0][1], _e1769[0][2]);
+                                                                        let _e1933 = vec3<f32>(_e1769[1][0], _e1769[1][1], _e1769[1][2]);
+                                                                        let _e1934 = vec3<f32>(_e1769[2][0], _e1769[2][1], _e1769[2][2]);
+                                                                        let _e1935 = (_e1769[1][0] - _e1769[0][0]);
+                                                                        let _e1936 = (_e1769[1][1] - _e1769[0][1]);
+                                                                        let _e1937 = (_e1769[1][2] - _e1769[0][2]);
+                                                                        let _e1938 = vec3<f32>(_e1935, _e1936, _e1937);
+                                                                        let _e1939 = (_e1769[2][0] - _e1769[1][0]);
+                                                                        let _e1940 = (_e1769[2][1] - _e1769[1][1]);
+                                                                        let _e1941 = (_e1769[2][2] - _e1769[1][2]);
+                                                                        let _e1942 = vec3<f32>(_e1939, _e1940, _e1941);
+                                                                        let _e1943 = (_e1769[0][0] - _e1769[2][0]);
+                                                                        let _e1944 = (_e1769[0][1] - _e1769[2][1]);
+                                                                        let _e1945 = (_e1769[0][2] - _e1769[2][2]);
+                                                                        let _e1946 = vec3<f32>(_e1943, _e1944, _e1945);
+                                                                        let _e1949 = bitcast<f32>((bitcast<u32>(_e1935) & 2147483647u));
+                                                                        let _e1952 = bitcast<f32>((bitcast<u32>(_e1936) & 2147483647u));
+                                                                        let _e1954 = select(_e1952, _e1949, (_e1949 > _e1952));
+                                                                        let _e1957 = bitcast<f32>((bitcast<u32>(_e1937) & 2147483647u));
+                                                                        let _e1959 = select(_e1957, _e1954, (_e1954 > _e1957));
+                                                                        let _e1962 = bitcast<f32>((bitcast<u32>(_e1939) & 2147483647u));
+                                                                        let _e1965 = bitcast<f32>((bitcast<u32>(_e1940) & 2147483647u));
+                                                                        let _e1967 = select(_e1965, _e1962, (_e1962 > _e1965));
+                                                                        let _e1970 = bitcast<f32>((bitcast<u32>(_e1941) & 2147483647u));
+                                                                        let _e1972 = select(_e1970, _e1967, (_e1967 > _e1970));
+                                                                        let _e1975 = bitcast<f32>((bitcast<u32>(_e1943) & 2147483647u));
+                                                                        let _e1978 = bitcast<f32>((bitcast<u32>(_e1944) & 2147483647u));
+                                                                        let _e1980 = select(_e1978, _e1975, (_e1975 > _e1978));
+                                                                        let _e1983 = bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u));
+                                                                        let _e1985 = select(_e1983, _e1980, (_e1980 > _e1983));
+                                                                        let _e1987 = select(_e1972, _e1959, (_e1959 > _e1972));
+                                                                        let _e1989 = select(_e1985, _e1987, (_e1987 > _e1985));
+                                                                        if (_e1959 == _e1989) {
+                                                                            phi_2795_ = _e1796;
+                                                                            phi_2796_ = _e1793;
+                                                                            phi_2797_ = _e1783;
+                                                                            phi_2798_ = _e1780;
+                                                                            phi_2799_ = _e1932;
+                                                                            phi_2800_ = _e1946;
+                                                                            phi_2801_ = _e1942;
+                                                                            phi_2802_ = _e1938;
                                                                         } else {
-                                                                            let _e1746 = (_e1727 == _e1744);
-                                                                            let _e1751 = vec3(_e1746);
-                                                                            phi_2359_ = select(_e1538, _e1564, _e1746);
-                                                                            phi_2360_ = select(_e1535, _e1561, _e1746);
-                                                                            phi_2361_ = select(_e1564, _e1551, _e1746);
-                                                                            phi_2362_ = select(_e1561, _e1548, _e1746);
-                                                                            phi_2363_ = select(_e1689, _e1688, _e1751);
-                                                                            phi_2364_ = select(_e1697, _e1693, _e1751);
-                                                                            phi_2365_ = select(_e1693, _e1701, _e1751);
-                                                                            phi_2366_ = select(_e1701, _e1697, _e1751);
+                                                                            let _e1991 = (_e1972 == _e1989);
+                                                                            let _e1996 = vec3(_e1991);
+                                                                            phi_2795_ = select(_e1783, _e1809, _e1991);
+                                                                            phi_2796_ = select(_e1780, _e1806, _e1991);
+                                                                            phi_2797_ = select(_e1809, _e1796, _e1991);
+                                                                            phi_2798_ = select(_e1806, _e1793, _e1991);
+                                                                            phi_2799_ = select(_e1934, _e1933, _e1996);
+                                                                            phi_2800_ = select(_e1942, _e1938, _e1996);
+                                                                            phi_2801_ = select(_e1938, _e1946, _e1996);
+                                                                            phi_2802_ = select(_e1946, _e1942, _e1996);
                                                                         }
-                                                                        let _e1757 = phi_2359_;
-                                                                        let _e1759 = phi_2360_;
-                                                                        let _e1761 = phi_2361_;
-                                                                        let _e1763 = phi_2362_;
-                                                                        let _e1765 = phi_2363_;
-                                                                        let _e1767 = phi_2364_;
-                                                                        let _e1769 = phi_2365_;
-                                                                        let _e1771 = phi_2366_;
-                                                                        let _e1778 = ((_e1769.y * _e1767.z) - (_e1767.y * _e1769.z));
-                                                                        let _e1783 = ((_e1769.z * _e1767.x) - (_e1767.z * _e1769.x));
-                                                                        let _e1786 = ((_e1769.x * _e1767.y) - (_e1767.x * _e1769.y));
-                                                                        if (_e1586 >= _e1590) {
-                                                                            phi_2397_ = select(true, false, (_e1586 >= _e1594));
+                                                                        let _e2002 = phi_2795_;
+                                                                        let _e2004 = phi_2796_;
+                                                                        let _e2006 = phi_2797_;
+                                                                        let _e2008 = phi_2798_;
+                                                                        let _e2010 = phi_2799_;
+                                                                        let _e2012 = phi_2800_;
+                                                                        let _e2014 = phi_2801_;
+                                                                        let _e2016 = phi_2802_;
+                                                                        let _e2023 = ((_e2014.y * _e2012.z) - (_e2012.y * _e2014.z));
+                                                                        let _e2028 = ((_e2014.z * _e2012.x) - (_e2012.z * _e2014.x));
+                                                                        let _e2031 = ((_e2014.x * _e2012.y) - (_e2012.x * _e2014.y));
+                                                                        if (_e1831 >= _e1835) {
+                                                                            phi_2833_ = select(true, false, (_e1831 >= _e1839));
                                                                         } else {
-                                                                            phi_2397_ = true;
+                                                                            phi_2833_ = true;
                                                                         }
-                                                                        let _e1791 = phi_2397_;
-                                                                        if _e1791 {
-                                                                            phi_2406_ = select(_e1689, _e1688, vec3((_e1590 >= _e1594)));
+                                                                        let _e2036 = phi_2833_;
+                                                                        if _e2036 {
+                                                                            phi_2842_ = select(_e1934, _e1933, vec3((_e1835 >= _e1839)));
                                                                         } else {
-                                                                            phi_2406_ = _e1687;
+                                                                            phi_2842_ = _e1932;
                                                                         }
-                                                                        let _e1796 = phi_2406_;
-                                                                        let _e1807 = (((_e1778 * (_e1796.x - _e397)) + (_e1783 * (_e1796.y - _e434))) + (_e1786 * (_e1796.z - _e470)));
-                                                                        let _e1812 = (((_e1778 * _e422) + (_e1783 * _e458)) + (_e1786 * _e494));
-                                                                        let _e1813 = (_e1759 - _e1763);
-                                                                        let _e1814 = (_e1757 - _e1761);
-                                                                        let _e1822 = (-(((_e1763 * _e1813) + (_e1761 * _e1814))) / ((_e1813 * _e1813) + (_e1814 * _e1814)));
-                                                                        let _e1824 = select(1f, _e1822, (_e1822 < 1f));
-                                                                        let _e1826 = select(0f, _e1824, (_e1824 > 0f));
-                                                                        let _e1839 = ((_e1765.x + (_e1771.x * _e1826)) - _e397);
-                                                                        let _e1840 = ((_e1765.y + (_e1771.y * _e1826)) - _e434);
-                                                                        let _e1841 = ((_e1765.z + (_e1771.z * _e1826)) - _e470);
-                                                                        let _e1842 = (_e1841 / _e494);
-                                                                        let _e1854 = bitcast<f32>((bitcast<u32>(_e1839) & 2147483647u));
-                                                                        let _e1857 = bitcast<f32>((bitcast<u32>(_e1840) & 2147483647u));
-                                                                        let _e1859 = select(_e1857, _e1854, (_e1854 > _e1857));
-                                                                        let _e1862 = bitcast<f32>((bitcast<u32>(_e1841) & 2147483647u));
-                                                                        let _e1864 = select(_e1862, _e1859, (_e1859 > _e1862));
-                                                                        let _e1870 = bitcast<f32>((bitcast<u32>(_e1778) & 2147483647u));
-                                                                        let _e1873 = bitcast<f32>((bitcast<u32>(_e1783) & 2147483647u));
-                                                                        let _e1875 = select(_e1873, _e1870, (_e1870 > _e1873));
-                                                                        let _e1878 = bitcast<f32>((bitcast<u32>(_e1786) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1778 * _e1839) + (_e1783 * _e1840)) + (_e1786 * _e1841)) - _e1807)) & 2147483647u)) <= ((0.0000009536743f * select(_e1744, _e1864, (_e1864 > _e1744))) * select(_e1878, _e1875, (_e1875 > _e1878)))) {
-                                                                            let _e1888 = bitcast<f32>((bitcast<u32>(_e1769.x) & 2147483647u));
-                                                                            let _e1891 = bitcast<f32>((bitcast<u32>(_e1769.y) & 2147483647u));
-                                                                            let _e1893 = select(_e1891, _e1888, (_e1888 > _e1891));
-                                                                            let _e1896 = bitcast<f32>((bitcast<u32>(_e1769.z) & 2147483647u));
-                                                                            let _e1902 = bitcast<f32>((bitcast<u32>(_e1767.x) & 2147483647u));
-                                                                            let _e1905 = bitcast<f32>((bitcast<u32>(_e1767.y) & 2147483647u));
-                                                                            let _e1907 = select(_e1905, _e1902, (_e1902 > _e1905));
-                                                                            let _e1910 = bitcast<f32>((bitcast<u32>(_e1767.z) & 2147483647u));
-                                                                            let _e1914 = (bitcast<f32>((bitcast<u32>(_e1812) & 2147483647u)) > ((0.0000038146973f * select(_e1896, _e1893, (_e1893 > _e1896))) * select(_e1910, _e1907, (_e1907 > _e1910))));
-                                                                            if _e1914 {
-                                                                                phi_2571_ = (_e1807 / _e1812);
+                                                                        let _e2041 = phi_2842_;
+                                                                        let _e2052 = (((_e2023 * (_e2041.x - _e478)) + (_e2028 * (_e2041.y - _e545))) + (_e2031 * (_e2041.z - _e611)));
+                                                                        let _e2057 = (((_e2023 * _e518) + (_e2028 * _e584)) + (_e2031 * _e650));
+                                                                        let _e2058 = (_e2004 - _e2008);
+                                                                        let _e2059 = (_e2002 - _e2006);
+                                                                        let _e2067 = (-(((_e2008 * _e2058) + (_e2006 * _e2059))) / ((_e2058 * _e2058) + (_e2059 * _e2059)));
+                                                                        let _e2069 = select(1f, _e2067, (_e2067 < 1f));
+                                                                        let _e2071 = select(0f, _e2069, (_e2069 > 0f));
+                                                                        let _e2084 = ((_e2010.x + (_e2016.x * _e2071)) - _e478);
+                                                                        let _e2085 = ((_e2010.y + (_e2016.y * _e2071)) - _e545);
+                                                                        let _e2086 = ((_e2010.z + (_e2016.z * _e2071)) - _e611);
+                                                                        let _e2087 = (_e2086 / _e650);
+                                                                        let _e2099 = bitcast<f32>((bitcast<u32>(_e2084) & 2147483647u));
+                                                                        let _e2102 = bitcast<f32>((bitcast<u32>(_e2085) & 2147483647u));
+                                                                        let _e2104 = select(_e2102, _e2099, (_e2099 > _e2102));
+                                                                        let _e2107 = bitcast<f32>((bitcast<u32>(_e2086) & 2147483647u));
+                                                                        let _e2109 = select(_e2107, _e2104, (_e2104 > _e2107));
+                                                                        let _e2115 = bitcast<f32>((bitcast<u32>(_e2023) & 2147483647u));
+                                                                        let _e2118 = bitcast<f32>((bitcast<u32>(_e2028) & 2147483647u));
+                                                                        let _e2120 = select(_e2118, _e2115, (_e2115 > _e2118));
+                                                                        let _e2123 = bitcast<f32>((bitcast<u32>(_e2031) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e2023 * _e2084) + (_e2028 * _e2085)) + (_e2031 * _e2086)) - _e2052)) & 2147483647u)) <= ((0.0000009536743f * select(_e1989, _e2109, (_e2109 > _e1989))) * select(_e2123, _e2120, (_e2120 > _e2123)))) {
+                                                                            let _e2133 = bitcast<f32>((bitcast<u32>(_e2014.x) & 2147483647u));
+                                                                            let _e2136 = bitcast<f32>((bitcast<u32>(_e2014.y) & 2147483647u));
+                                                                            let _e2138 = select(_e2136, _e2133, (_e2133 > _e2136));
+                                                                            let _e2141 = bitcast<f32>((bitcast<u32>(_e2014.z) & 2147483647u));
+                                                                            let _e2147 = bitcast<f32>((bitcast<u32>(_e2012.x) & 2147483647u));
+                                                                            let _e2150 = bitcast<f32>((bitcast<u32>(_e2012.y) & 2147483647u));
+                                                                            let _e2152 = select(_e2150, _e2147, (_e2147 > _e2150));
+                                                                            let _e2155 = bitcast<f32>((bitcast<u32>(_e2012.z) & 2147483647u));
+                                                                            let _e2159 = (bitcast<f32>((bitcast<u32>(_e2057) & 2147483647u)) > ((0.0000038146973f * select(_e2141, _e2138, (_e2138 > _e2141))) * select(_e2155, _e2152, (_e2152 > _e2155))));
+                                                                            if _e2159 {
+                                                                                phi_3007_ = (_e2052 / _e2057);
                                                                             } else {
-                                                                                phi_2571_ = f32();
+                                                                                phi_3007_ = f32();
                                                                             }
-                                                                            let _e1917 = phi_2571_;
-                                                                            phi_2573_ = _e1917;
-                                                                            phi_2574_ = select(true, false, _e1914);
+                                                                            let _e2162 = phi_3007_;
+                                                                            phi_3009_ = _e2162;
+                                                                            phi_3010_ = select(true, false, _e2159);
                                                                         } else {
-                                                                            phi_2573_ = f32();
-                                                                            phi_2574_ = true;
+                                                                            phi_3009_ = f32();
+                                                                            phi_3010_ = true;
                                                                         }
-                                                                        let _e1920 = phi_2573_;
-                                                                        let _e1922 = phi_2574_;
-                                                                        if _e1922 {
-                                                                            let _e1930 = (((_e1778 * (_e1839 - (_e422 * _e1842))) + (_e1783 * (_e1840 - (_e458 * _e1842)))) / _e1812);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1930) & 2147483647u)) <= _e1744) {
-                                                                                phi_2594_ = (_e1842 + _e1930);
+                                                                        let _e2165 = phi_3009_;
+                                                                        let _e2167 = phi_3010_;
+                                                                        if _e2167 {
+                                                                            let _e2175 = (((_e2023 * (_e2084 - (_e518 * _e2087))) + (_e2028 * (_e2085 - (_e584 * _e2087)))) / _e2057);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e2175) & 2147483647u)) <= _e1989) {
+                                                                                phi_3030_ = (_e2087 + _e2175);
                                                                             } else {
-                                                                                phi_2594_ = _e1842;
+                                                                                phi_3030_ = _e2087;
                                                                             }
-                                                                            let _e1937 = phi_2594_;
-                                                                            phi_2595_ = _e1937;
+                                                                            let _e2182 = phi_3030_;
+                                                                            phi_3031_ = _e2182;
                                                                         } else {
-                                                                            phi_2595_ = _e1920;
+                                                                            phi_3031_ = _e2165;
                                                                         }
-                                                                        let _e1939 = phi_2595_;
-                                                                        let _e1941 = select(_e1677, _e1939, (_e1939 < _e1677));
-                                                                        let _e1943 = select(_e1669, _e1941, (_e1941 > _e1669));
-                                                                        if (_e1943 >= _e543) {
-                                                                            let _e1945 = (_e1943 <= _e1095.member_1);
-                                                                            if _e1945 {
-                                                                                let _e1946 = (1f / _e1596);
-                                                                                phi_2618_ = type_25(_e1943, (_e1590 * _e1946), (_e1594 * _e1946), _e1155);
+                                                                        let _e2184 = phi_3031_;
+                                                                        let _e2186 = select(_e1922, _e2184, (_e2184 < _e1922));
+                                                                        let _e2188 = select(_e1914, _e2186, (_e2186 > _e1914));
+                                                                        if (_e2188 >= _e764) {
+                                                                            let _e2190 = (_e2188 <= _e1322.member_1);
+                                                                            if _e2190 {
+                                                                                let _e2191 = (1f / _e1841);
+                                                                                phi_3054_ = type_25(_e2188, (_e1835 * _e2191), (_e1839 * _e2191), _e1382);
                                                                             } else {
-                                                                                phi_2618_ = type_25();
+                                                                                phi_3054_ = type_25();
                                                                             }
-                                                                            let _e1951 = phi_2618_;
-                                                                            phi_2620_ = _e1951;
-                                                                            phi_2621_ = select(true, false, _e1945);
+                                                                            let _e2196 = phi_3054_;
+                                                                            phi_3056_ = _e2196;
+                                                                            phi_3057_ = select(true, false, _e2190);
                                                                         } else {
-                                                                            phi_2620_ = type_25();
-                                                                            phi_2621_ = true;
+                                                                            phi_3056_ = type_25();
+                                                                            phi_3057_ = true;
                                                                         }
-                                                                        let _e1954 = phi_2620_;
-                                                                        let _e1956 = phi_2621_;
-                                                                        if _e1956 {
-                                                                            phi_2625_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e2199 = phi_3056_;
+                                                                        let _e2201 = phi_3057_;
+                                                                        if _e2201 {
+                                                                            phi_3061_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2625_ = _e1954;
+                                                                            phi_3061_ = _e2199;
                                                                         }
-                                                                        let _e1958 = phi_2625_;
-                                                                        phi_2626_ = _e1958;
+                                                                        let _e2203 = phi_3061_;
+                                                                        phi_3062_ = _e2203;
                                                                     }
-                                                                    let _e1960 = phi_2626_;
-                                                                    phi_2627_ = _e1960;
-                                                                    phi_2628_ = _e1686;
+                                                                    let _e2205 = phi_3062_;
+                                                                    phi_3063_ = _e2205;
+                                                                    phi_3064_ = _e1931;
                                                                 }
-                                                                let _e1962 = phi_2627_;
-                                                                let _e1964 = phi_2628_;
-                                                                phi_2632_ = _e1962;
-                                                                phi_2633_ = _e1964;
+                                                                let _e2207 = phi_3063_;
+                                                                let _e2209 = phi_3064_;
+                                                                phi_3068_ = _e2207;
+                                                                phi_3069_ = _e2209;
                                                             }
-                                                            let _e1966 = phi_2632_;
-                                                            let _e1968 = phi_2633_;
-                                                            phi_2634_ = _e1966;
-                                                            phi_2635_ = _e1621;
-                                                            phi_2636_ = _e1968;
+                                                            let _e2211 = phi_3068_;
+                                                            let _e2213 = phi_3069_;
+                                                            phi_3070_ = _e2211;
+                                                            phi_3071_ = _e1866;
+                                                            phi_3072_ = _e2213;
                                                         }
-                                                        let _e1970 = phi_2634_;
-                                                        let _e1972 = phi_2635_;
-                                                        let _e1974 = phi_2636_;
-                                                        phi_2637_ = _e1970;
-                                                        phi_2638_ = _e1972;
-                                                        phi_2639_ = _e1974;
+                                                        let _e2215 = phi_3070_;
+                                                        let _e2217 = phi_3071_;
+                                                        let _e2219 = phi_3072_;
+                                                        phi_3073_ = _e2215;
+                                                        phi_3074_ = _e2217;
+                                                        phi_3075_ = _e2219;
                                                     }
-                                                    let _e1976 = phi_2637_;
-                                                    let _e1978 = phi_2638_;
-                                                    let _e1980 = phi_2639_;
-                                                    phi_2647_ = _e1976;
-                                                    phi_2648_ = select(_e1980, true, _e1978);
+                                                    let _e2221 = phi_3073_;
+                                                    let _e2223 = phi_3074_;
+                                                    let _e2225 = phi_3075_;
+                                                    phi_3083_ = _e2221;
+                                                    phi_3084_ = select(_e2225, true, _e2223);
                                                 } else {
-                                                    phi_2647_ = type_25();
-                                                    phi_2648_ = true;
+                                                    phi_3083_ = type_25();
+                                                    phi_3084_ = true;
                                                 }
-                                                let _e1983 = phi_2647_;
-                                                let _e1985 = phi_2648_;
-                                                if _e1985 {
-                                                    phi_2652_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e2228 = phi_3083_;
+                                                let _e2230 = phi_3084_;
+                                                if _e2230 {
+                                                    phi_3088_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2652_ = _e1983;
+                                                    phi_3088_ = _e2228;
                                                 }
-                                                let _e1987 = phi_2652_;
-                                                if (_e1987.member_3 != 4294967295u) {
-                                                    if (_e1155 == _e171) {
-                                                        phi_2981_ = false;
+                                                let _e2232 = phi_3088_;
+                                                if (_e2232.member_3 != 4294967295u) {
+                                                    if (_e1382 == _e177) {
+                                                        phi_3417_ = false;
                                                     } else {
-                                                        let _e1991 = (_e1155 < arrayLength((&global_5.member)));
-                                                        if _e1991 {
-                                                            if _e1991 {
+                                                        let _e2236 = (_e1382 < arrayLength((&global_5.member)));
+                                                        if _e2236 {
+                                                            if _e2236 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1993 = global_5.member[_e1155];
-                                                            phi_2675_ = _e1993;
+                                                            let _e2238 = global_5.member[_e1382];
+                                                            phi_3111_ = _e2238;
                                                         } else {
-                                                            phi_2675_ = 4294967295u;
+                                                            phi_3111_ = 4294967295u;
                                                         }
-                                                        let _e1995 = phi_2675_;
-                                                        let _e1996 = (_e1995 < arrayLength((&global_6.member)));
-                                                        if _e1996 {
-                                                            if _e1996 {
+                                                        let _e2240 = phi_3111_;
+                                                        let _e2241 = (_e2240 < arrayLength((&global_6.member)));
+                                                        if _e2241 {
+                                                            if _e2241 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1998 = global_6.member[_e1995];
-                                                            phi_2689_ = _e1998;
+                                                            let _e2243 = global_6.member[_e2240];
+                                                            phi_3125_ = _e2243;
                                                         } else {
-                                                            phi_2689_ = 0i;
+                                                            phi_3125_ = 0i;
                                                         }
-                                                        let _e2000 = phi_2689_;
-                                                        let _e2001 = (_e2000 == 0i);
-                                                        if _e2001 {
-                                                            phi_2980_ = true;
+                                                        let _e2245 = phi_3125_;
+                                                        let _e2246 = (_e2245 == 0i);
+                                                        if _e2246 {
+                                                            phi_3416_ = true;
                                                         } else {
-                                                            if _e389 {
-                                                                phi_2710_ = vec3<f32>(_e1524[0][0], _e1524[0][1], _e1524[0][2]);
+                                                            if _e455 {
+                                                                phi_3146_ = vec3<f32>(_e1769[0][0], _e1769[0][1], _e1769[0][2]);
                                                             } else {
-                                                                if (_e365 == 1u) {
-                                                                    phi_2709_ = vec3<f32>(_e1524[0][2], _e1524[0][0], _e1524[0][1]);
+                                                                if (_e431 == 1u) {
+                                                                    phi_3145_ = vec3<f32>(_e1769[0][2], _e1769[0][0], _e1769[0][1]);
                                                                 } else {
-                                                                    phi_2709_ = vec3<f32>(_e1524[0][1], _e1524[0][2], _e1524[0][0]);
+                                                                    phi_3145_ = vec3<f32>(_e1769[0][1], _e1769[0][2], _e1769[0][0]);
                                                                 }
-                                                                let _e2006 = phi_2709_;
-                                                                phi_2710_ = _e2006;
+                                                                let _e2251 = phi_3145_;
+                                                                phi_3146_ = _e2251;
                                                             }
-                                                            let _e2009 = phi_2710_;
-                                                            if _e389 {
-                                                                phi_2727_ = vec3<f32>(_e1524[1][0], _e1524[1][1], _e1524[1][2]);
+                                                            let _e2254 = phi_3146_;
+                                                            if _e455 {
+                                                                phi_3163_ = vec3<f32>(_e1769[1][0], _e1769[1][1], _e1769[1][2]);
                                                             } else {
-                                                                if (_e365 == 1u) {
-                                                                    phi_2726_ = vec3<f32>(_e1524[1][2], _e1524[1][0], _e1524[1][1]);
+                                                                if (_e431 == 1u) {
+                                                                    phi_3162_ = vec3<f32>(_e1769[1][2], _e1769[1][0], _e1769[1][1]);
                                                                 } else {
-                                                                    phi_2726_ = vec3<f32>(_e1524[1][1], _e1524[1][2], _e1524[1][0]);
+                                                                    phi_3162_ = vec3<f32>(_e1769[1][1], _e1769[1][2], _e1769[1][0]);
                                                                 }
-                                                                let _e2014 = phi_2726_;
-                                                                phi_2727_ = _e2014;
+                                                                let _e2259 = phi_3162_;
+                                                                phi_3163_ = _e2259;
                                                             }
-                                                            let _e2017 = phi_2727_;
-                                                            if _e389 {
-                                                                phi_2744_ = vec3<f32>(_e1524[2][0], _e1524[2][1], _e1524[2][2]);
+                                                            let _e2262 = phi_3163_;
+                                                            if _e455 {
+                                                                phi_3180_ = vec3<f32>(_e1769[2][0], _e1769[2][1], _e1769[2][2]);
                                                             } else {
-                                                                if (_e365 == 1u) {
-                                                                    phi_2743_ = vec3<f32>(_e1524[2][2], _e1524[2][0], _e1524[2][1]);
+                                                                if (_e431 == 1u) {
+                                                                    phi_3179_ = vec3<f32>(_e1769[2][2], _e1769[2][0], _e1769[2][1]);
                                                                 } else {
-                                                                    phi_2743_ = vec3<f32>(_e1524[2][1], _e1524[2][2], _e1524[2][0]);
+                                                                    phi_3179_ = vec3<f32>(_e1769[2][1], _e1769[2][2], _e1769[2][0]);
                                                                 }
-                                                                let _e2022 = phi_2743_;
-                                                                phi_2744_ = _e2022;
+                                                                let _e2267 = phi_3179_;
+                                                                phi_3180_ = _e2267;
                                                             }
-                                                            let _e2025 = phi_2744_;
-                                                            let _e2028 = (_e2017.x - _e2009.x);
-                                                            let _e2031 = (_e2017.y - _e2009.y);
-                                                            let _e2034 = (_e2017.z - _e2009.z);
-                                                            let _e2036 = (_e2025.x - _e2009.x);
-                                                            let _e2038 = (_e2025.y - _e2009.y);
-                                                            let _e2040 = (_e2025.z - _e2009.z);
-                                                            if (_e243.member_1 == 1u) {
-                                                                phi_2780_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e2009);
+                                                            let _e2270 = phi_3180_;
+                                                            let _e2273 = (_e2262.x - _e2254.x);
+                                                            let _e2276 = (_e2262.y - _e2254.y);
+                                                            let _e2279 = (_e2262.z - _e2254.z);
+                                                            let _e2281 = (_e2270.x - _e2254.x);
+                                                            let _e2283 = (_e2270.y - _e2254.y);
+                                                            let _e2285 = (_e2270.z - _e2254.z);
+                                                            if (_e309.member_1 == 1u) {
+                                                                phi_3216_ = (vec3<f32>(_e309.member[0], _e309.member[1], _e309.member[2]) - _e2254);
                                                             } else {
-                                                                phi_2780_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
+                                                                phi_3216_ = vec3<f32>(_e309.member[0], _e309.member[1], _e309.member[2]);
                                                             }
-                                                            let _e2055 = phi_2780_;
-                                                            let _e2061 = bitcast<f32>((bitcast<u32>((_e2028 * _e2038)) ^ _e243.member_3[0]));
-                                                            let _e2065 = bitcast<f32>((bitcast<u32>((_e2031 * _e2036)) ^ _e243.member_3[0]));
-                                                            let _e2069 = bitcast<f32>((bitcast<u32>((_e2031 * _e2040)) ^ _e243.member_3[0]));
-                                                            let _e2073 = bitcast<f32>((bitcast<u32>((_e2034 * _e2038)) ^ _e243.member_3[0]));
-                                                            let _e2077 = bitcast<f32>((bitcast<u32>((_e2034 * _e2036)) ^ _e243.member_3[0]));
-                                                            let _e2081 = bitcast<f32>((bitcast<u32>((_e2028 * _e2040)) ^ _e243.member_3[0]));
-                                                            let _e2082 = (_e2069 - _e2073);
-                                                            let _e2083 = (_e2077 - _e2081);
-                                                            let _e2084 = (_e2061 - _e2065);
-                                                            let _e2108 = (bitcast<f32>((bitcast<u32>(_e2069) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2073) & 2147483647u)));
-                                                            let _e2115 = (bitcast<f32>((bitcast<u32>(_e2077) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2081) & 2147483647u)));
-                                                            let _e2122 = (bitcast<f32>((bitcast<u32>(_e2061) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2065) & 2147483647u)));
-                                                            if (_e243.member_2 == 0f) {
-                                                                phi_2962_ = 0f;
+                                                            let _e2300 = phi_3216_;
+                                                            let _e2306 = bitcast<f32>((bitcast<u32>((_e2273 * _e2283)) ^ _e309.member_3[0]));
+                                                            let _e2310 = bitcast<f32>((bitcast<u32>((_e2276 * _e2281)) ^ _e309.member_3[0]));
+                                                            let _e2314 = bitcast<f32>((bitcast<u32>((_e2276 * _e2285)) ^ _e309.member_3[0]));
+                                                            let _e2318 = bitcast<f32>((bitcast<u32>((_e2279 * _e2283)) ^ _e309.member_3[0]));
+                                                            let _e2322 = bitcast<f32>((bitcast<u32>((_e2279 * _e2281)) ^ _e309.member_3[0]));
+                                                            let _e2326 = bitcast<f32>((bitcast<u32>((_e2273 * _e2285)) ^ _e309.member_3[0]));
+                                                            let _e2327 = (_e2314 - _e2318);
+                                                            let _e2328 = (_e2322 - _e2326);
+                                                            let _e2329 = (_e2306 - _e2310);
+                                                            let _e2353 = (bitcast<f32>((bitcast<u32>(_e2314) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2318) & 2147483647u)));
+                                                            let _e2360 = (bitcast<f32>((bitcast<u32>(_e2322) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2326) & 2147483647u)));
+                                                            let _e2367 = (bitcast<f32>((bitcast<u32>(_e2306) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2310) & 2147483647u)));
+                                                            if (_e309.member_2 == 0f) {
+                                                                phi_3398_ = 0f;
                                                             } else {
-                                                                let _e2152 = bitcast<f32>((bitcast<u32>(_e2082) & 2147483647u));
-                                                                let _e2155 = bitcast<f32>((bitcast<u32>(_e2083) & 2147483647u));
-                                                                let _e2158 = bitcast<f32>((bitcast<u32>(_e2084) & 2147483647u));
-                                                                let _e2160 = select(_e2158, _e2155, (_e2155 > _e2158));
-                                                                let _e2164 = select(_e2158, _e2155, (_e2155 < _e2158));
-                                                                let _e2168 = select(_e2155, _e2152, (_e2152 < _e2155));
-                                                                let _e2170 = select(_e2155, _e2152, (_e2152 > _e2155));
-                                                                let _e2172 = select(_e2158, _e2170, (_e2170 < _e2158));
-                                                                phi_2962_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2160, _e2152, (_e2152 > _e2160)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2172, _e2168, (_e2168 > _e2172)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2164, _e2152, (_e2152 < _e2164)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2108 + _e2115) + _e2122))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
+                                                                let _e2397 = bitcast<f32>((bitcast<u32>(_e2327) & 2147483647u));
+                                                                let _e2400 = bitcast<f32>((bitcast<u32>(_e2328) & 2147483647u));
+                                                                let _e2403 = bitcast<f32>((bitcast<u32>(_e2329) & 2147483647u));
+                                                                let _e2405 = select(_e2403, _e2400, (_e2400 > _e2403));
+                                                                let _e2409 = select(_e2403, _e2400, (_e2400 < _e2403));
+                                                                let _e2413 = select(_e2400, _e2397, (_e2397 < _e2400));
+                                                                let _e2415 = select(_e2400, _e2397, (_e2397 > _e2400));
+                                                                let _e2417 = select(_e2403, _e2415, (_e2415 < _e2403));
+                                                                phi_3398_ = bitcast<f32>((bitcast<u32>((_e309.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2405, _e2397, (_e2397 > _e2405)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2417, _e2413, (_e2413 > _e2417)))) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2409, _e2397, (_e2397 < _e2409)))) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2353 + _e2360) + _e2367))) ^ _e309.member_3[0]))) * 1.0000005f)) ^ _e309.member_3[0])))) ^ _e309.member_3[0]));
                                                             }
-                                                            let _e2199 = phi_2962_;
-                                                            phi_2980_ = (_e2001 || !(((((bitcast<f32>((bitcast<u32>((_e2055.x * _e2082)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2055.y * _e2083)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2055.z * _e2084)) ^ _e243.member_3[0]))) * f32(-(_e2000))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2055.x) & 2147483647u)) * _e2108)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2055.y) & 2147483647u)) * _e2115)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2055.z) & 2147483647u)) * _e2122)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e2199) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2444 = phi_3398_;
+                                                            phi_3416_ = (_e2246 || !(((((bitcast<f32>((bitcast<u32>((_e2300.x * _e2327)) ^ _e309.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2300.y * _e2328)) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2300.z * _e2329)) ^ _e309.member_3[0]))) * f32(-(_e2245))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.x) & 2147483647u)) * _e2353)) ^ _e309.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.y) & 2147483647u)) * _e2360)) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.z) & 2147483647u)) * _e2367)) ^ _e309.member_3[0]))))) ^ _e309.member_3[0])) + _e2444) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2213 = phi_2980_;
-                                                        phi_2981_ = _e2213;
+                                                        let _e2458 = phi_3416_;
+                                                        phi_3417_ = _e2458;
                                                     }
-                                                    let _e2215 = phi_2981_;
-                                                    if _e2215 {
-                                                        if (_e1987.member < _e1095.member.member) {
-                                                            phi_3001_ = true;
+                                                    let _e2460 = phi_3417_;
+                                                    if _e2460 {
+                                                        if (_e2232.member < _e1322.member.member) {
+                                                            phi_3437_ = true;
                                                         } else {
-                                                            if (_e1987.member == _e1095.member.member) {
-                                                                phi_3000_ = (_e1987.member_3 < _e1095.member.member_3);
+                                                            if (_e2232.member == _e1322.member.member) {
+                                                                phi_3436_ = (_e2232.member_3 < _e1322.member.member_3);
                                                             } else {
-                                                                phi_3000_ = false;
+                                                                phi_3436_ = false;
                                                             }
-                                                            let _e2225 = phi_3000_;
-                                                            phi_3001_ = _e2225;
+                                                            let _e2470 = phi_3436_;
+                                                            phi_3437_ = _e2470;
                                                         }
-                                                        let _e2227 = phi_3001_;
-                                                        if _e2227 {
-                                                            phi_3007_ = type_42(_e1987, _e1987.member);
+                                                        let _e2472 = phi_3437_;
+                                                        if _e2472 {
+                                                            phi_3443_ = type_42(_e2232, _e2232.member);
                                                         } else {
-                                                            phi_3007_ = _e1095;
+                                                            phi_3443_ = _e1322;
                                                         }
-                                                        let _e2230 = phi_3007_;
-                                                        phi_3008_ = _e2230;
+                                                        let _e2475 = phi_3443_;
+                                                        phi_3444_ = _e2475;
                                                     } else {
-                                                        phi_3008_ = _e1095;
+                                                        phi_3444_ = _e1322;
                                                     }
-                                                    let _e2232 = phi_3008_;
-                                                    phi_3009_ = _e2232;
+                                                    let _e2477 = phi_3444_;
+                                                    phi_3445_ = _e2477;
                                                 } else {
-                                                    phi_3009_ = _e1095;
+                                                    phi_3445_ = _e1322;
                                                 }
-                                                let _e2234 = phi_3009_;
-                                                phi_1094_ = _e2234;
+                                                let _e2479 = phi_3445_;
+                                                phi_1512_ = _e2479;
                                             } else {
-                                                phi_1094_ = type_42();
+                                                phi_1512_ = type_42();
                                             }
-                                            let _e2236 = phi_1094_;
+                                            let _e2481 = phi_1512_;
                                             continue;
                                             continuing {
-                                                phi_1093_ = _e2236;
-                                                phi_1096_ = _e1110;
-                                                phi_4588_ = _e585;
-                                                break if !(_e1116);
+                                                phi_1511_ = _e2481;
+                                                phi_1514_ = _e1337;
+                                                phi_5130_ = _e806;
+                                                break if !(_e1343);
                                             }
                                         }
-                                        let _e2239 = phi_4588_;
-                                        phi_4801_ = _e2239;
-                                        if _e2239 {
+                                        let _e2484 = phi_5130_;
+                                        phi_5369_ = _e2484;
+                                        if _e2484 {
                                             break;
                                         }
-                                        phi_4805_ = _e2239;
-                                        let _e2507 = local_11;
-                                        phi_4249_ = _e2507;
-                                        phi_4250_ = _e626;
-                                        phi_4251_ = false;
-                                        phi_4252_ = _e630;
+                                        phi_5373_ = _e2484;
+                                        let _e2851 = local_11;
+                                        phi_4685_ = _e2851;
+                                        phi_4686_ = _e847;
+                                        phi_4687_ = false;
+                                        phi_4688_ = _e851;
                                     } else {
-                                        if (_e626.member_1 >= _e103) {
-                                            phi_3805_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e847.member_1 >= _e109) {
+                                            phi_4241_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e626.member_1 < _e103) {
+                                            if (_e847.member_1 < _e109) {
                                             } else {
-                                                phi_4801_ = true;
+                                                phi_5369_ = true;
                                                 break;
                                             }
-                                            let _e643 = ((1u + _e365) % 4u);
-                                            if (_e643 < 4u) {
+                                            let _e864 = ((1u + _e431) % 4u);
+                                            if (_e864 < 4u) {
                                             } else {
-                                                phi_4801_ = true;
+                                                phi_5369_ = true;
                                                 break;
                                             }
-                                            let _e648 = global_4.member[_e626.member_1][_e643];
-                                            let _e650 = (_e648 >> bitcast<u32>(11u));
-                                            let _e652 = ((1u + _e364) % 4u);
-                                            if (_e652 < 4u) {
+                                            let _e869 = global_4.member[_e847.member_1][_e864];
+                                            let _e871 = (_e869 >> bitcast<u32>(11u));
+                                            let _e873 = ((1u + _e430) % 4u);
+                                            if (_e873 < 4u) {
                                             } else {
-                                                phi_4801_ = true;
+                                                phi_5369_ = true;
                                                 break;
                                             }
-                                            let _e657 = global_4.member[_e626.member_1][_e652];
-                                            let _e659 = (_e657 >> bitcast<u32>(11u));
-                                            let _e661 = ((1u + _e366) % 4u);
-                                            if (_e661 < 4u) {
+                                            let _e878 = global_4.member[_e847.member_1][_e873];
+                                            let _e880 = (_e878 >> bitcast<u32>(11u));
+                                            let _e882 = ((1u + _e432) % 4u);
+                                            if (_e882 < 4u) {
                                             } else {
-                                                phi_4801_ = true;
+                                                phi_5369_ = true;
                                                 break;
                                             }
-                                            let _e666 = global_4.member[_e626.member_1][_e661];
-                                            let _e668 = (_e666 >> bitcast<u32>(11u));
-                                            let _e691 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.x - _e626.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e692 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.y - _e626.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e693 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.z - _e626.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e695 = select(_e162, _e691, (_e691 > _e162));
-                                            let _e697 = select(_e162, _e692, (_e692 > _e162));
-                                            let _e699 = select(_e162, _e693, (_e693 > _e162));
-                                            let _e724 = bitcast<u32>((f32(bitcast<i32>((_e648 & 1023u))) * _e695));
-                                            let _e729 = (bitcast<i32>((_e648 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e732 = bitcast<f32>((_e724 & bitcast<u32>(_e729)));
-                                            let _e733 = bitcast<u32>((f32(bitcast<i32>((_e657 & 1023u))) * _e697));
-                                            let _e738 = (bitcast<i32>((_e657 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e741 = bitcast<f32>((_e733 & bitcast<u32>(_e738)));
-                                            let _e742 = bitcast<u32>((f32(bitcast<i32>((_e666 & 1023u))) * _e699));
-                                            let _e747 = (bitcast<i32>((_e666 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e750 = bitcast<f32>((_e742 & bitcast<u32>(_e747)));
-                                            let _e754 = bitcast<f32>((_e724 & bitcast<u32>(~(_e729))));
-                                            let _e758 = bitcast<f32>((_e733 & bitcast<u32>(~(_e738))));
-                                            let _e762 = bitcast<f32>((_e742 & bitcast<u32>(~(_e747))));
-                                            let _e763 = bitcast<u32>((f32(bitcast<i32>((_e650 & 1023u))) * _e695));
-                                            let _e768 = (bitcast<i32>((_e650 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e771 = bitcast<f32>((_e763 & bitcast<u32>(_e768)));
-                                            let _e772 = bitcast<u32>((f32(bitcast<i32>((_e659 & 1023u))) * _e697));
-                                            let _e777 = (bitcast<i32>((_e659 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e780 = bitcast<f32>((_e772 & bitcast<u32>(_e777)));
-                                            let _e781 = bitcast<u32>((f32(bitcast<i32>((_e668 & 1023u))) * _e699));
-                                            let _e786 = (bitcast<i32>((_e668 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e789 = bitcast<f32>((_e781 & bitcast<u32>(_e786)));
-                                            let _e793 = bitcast<f32>((_e763 & bitcast<u32>(~(_e768))));
-                                            let _e797 = bitcast<f32>((_e772 & bitcast<u32>(~(_e777))));
-                                            let _e801 = bitcast<f32>((_e781 & bitcast<u32>(~(_e786))));
-                                            let _e802 = (_e626.member.member.x + _e732);
-                                            let _e803 = (_e626.member.member.y + _e741);
-                                            let _e804 = (_e626.member.member.z + _e750);
-                                            let _e807 = (_e626.member.member_1.x - _e771);
-                                            let _e808 = (_e626.member.member_1.y - _e780);
-                                            let _e809 = (_e626.member.member_1.z - _e789);
-                                            let _e828 = (_e807 - _e802);
-                                            let _e829 = (_e808 - _e803);
-                                            let _e830 = (_e809 - _e804);
-                                            let _e832 = select(_e829, _e828, (_e828 > _e829));
-                                            let _e834 = select(_e830, _e832, (_e832 > _e830));
-                                            if (_e834 < (1024f * _e162)) {
-                                                phi_3506_ = 0u;
+                                            let _e887 = global_4.member[_e847.member_1][_e882];
+                                            let _e889 = (_e887 >> bitcast<u32>(11u));
+                                            let _e912 = (bitcast<f32>((bitcast<u32>((_e847.member.member_1.x - _e847.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e913 = (bitcast<f32>((bitcast<u32>((_e847.member.member_1.y - _e847.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e914 = (bitcast<f32>((bitcast<u32>((_e847.member.member_1.z - _e847.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e916 = select(_e168, _e912, (_e912 > _e168));
+                                            let _e918 = select(_e168, _e913, (_e913 > _e168));
+                                            let _e920 = select(_e168, _e914, (_e914 > _e168));
+                                            let _e951 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e869 & 1023u))) - 8388608f) * _e916));
+                                            let _e956 = (bitcast<i32>((_e869 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e959 = bitcast<f32>((_e951 & bitcast<u32>(_e956)));
+                                            let _e960 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e878 & 1023u))) - 8388608f) * _e918));
+                                            let _e965 = (bitcast<i32>((_e878 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e968 = bitcast<f32>((_e960 & bitcast<u32>(_e965)));
+                                            let _e969 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e887 & 1023u))) - 8388608f) * _e920));
+                                            let _e974 = (bitcast<i32>((_e887 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e977 = bitcast<f32>((_e969 & bitcast<u32>(_e974)));
+                                            let _e981 = bitcast<f32>((_e951 & bitcast<u32>(~(_e956))));
+                                            let _e985 = bitcast<f32>((_e960 & bitcast<u32>(~(_e965))));
+                                            let _e989 = bitcast<f32>((_e969 & bitcast<u32>(~(_e974))));
+                                            let _e990 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e871 & 1023u))) - 8388608f) * _e916));
+                                            let _e995 = (bitcast<i32>((_e871 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e998 = bitcast<f32>((_e990 & bitcast<u32>(_e995)));
+                                            let _e999 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e880 & 1023u))) - 8388608f) * _e918));
+                                            let _e1004 = (bitcast<i32>((_e880 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1007 = bitcast<f32>((_e999 & bitcast<u32>(_e1004)));
+                                            let _e1008 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e889 & 1023u))) - 8388608f) * _e920));
+                                            let _e1013 = (bitcast<i32>((_e889 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1016 = bitcast<f32>((_e1008 & bitcast<u32>(_e1013)));
+                                            let _e1020 = bitcast<f32>((_e990 & bitcast<u32>(~(_e995))));
+                                            let _e1024 = bitcast<f32>((_e999 & bitcast<u32>(~(_e1004))));
+                                            let _e1028 = bitcast<f32>((_e1008 & bitcast<u32>(~(_e1013))));
+                                            let _e1029 = (_e847.member.member.x + _e959);
+                                            let _e1030 = (_e847.member.member.y + _e968);
+                                            let _e1031 = (_e847.member.member.z + _e977);
+                                            let _e1034 = (_e847.member.member_1.x - _e998);
+                                            let _e1035 = (_e847.member.member_1.y - _e1007);
+                                            let _e1036 = (_e847.member.member_1.z - _e1016);
+                                            let _e1055 = (_e1034 - _e1029);
+                                            let _e1056 = (_e1035 - _e1030);
+                                            let _e1057 = (_e1036 - _e1031);
+                                            let _e1059 = select(_e1056, _e1055, (_e1055 > _e1056));
+                                            let _e1061 = select(_e1057, _e1059, (_e1059 > _e1057));
+                                            if (_e1061 < (1024f * _e168)) {
+                                                phi_3942_ = 0u;
                                             } else {
-                                                phi_3506_ = select(2u, 1u, (_e834 < (2097152f * _e162)));
+                                                phi_3942_ = select(2u, 1u, (_e1061 < (2097152f * _e168)));
                                             }
-                                            let _e841 = phi_3506_;
-                                            switch bitcast<i32>(_e841) {
+                                            let _e1068 = phi_3942_;
+                                            switch bitcast<i32>(_e1068) {
                                                 case 0: {
-                                                    phi_3512_ = 1u;
+                                                    phi_3948_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3512_ = 2u;
+                                                    phi_3948_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3512_ = 3u;
+                                                    phi_3948_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3512_ = u32();
+                                                    phi_3948_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e844 = phi_3512_;
-                                            let _e850 = global_4.member[_e626.member_1][0u];
-                                            let _e854 = global_4.member[_e626.member_1][1u];
-                                            let _e858 = global_4.member[_e626.member_1][2u];
-                                            let _e862 = global_4.member[_e626.member_1][3u];
-                                            let _e874 = (((_e854 >> bitcast<u32>(22i)) | ((_e858 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e862 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e875 = (_e850 & 268435455u);
-                                            let _e876 = (_e874 & 268435455u);
-                                            let _e879 = ((_e850 >> bitcast<u32>(28u)) & 7u);
-                                            let _e887 = ((_e850 >> bitcast<u32>(31i)) | (((_e874 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e888 = (_e879 != 0u);
-                                            if (_e879 == 0u) {
-                                                phi_3767_ = _e875;
+                                            let _e1071 = phi_3948_;
+                                            let _e1077 = global_4.member[_e847.member_1][0u];
+                                            let _e1081 = global_4.member[_e847.member_1][1u];
+                                            let _e1085 = global_4.member[_e847.member_1][2u];
+                                            let _e1089 = global_4.member[_e847.member_1][3u];
+                                            let _e1101 = (((_e1081 >> bitcast<u32>(22i)) | ((_e1085 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1089 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1102 = (_e1077 & 268435455u);
+                                            let _e1103 = (_e1101 & 268435455u);
+                                            let _e1106 = ((_e1077 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1114 = ((_e1077 >> bitcast<u32>(31i)) | (((_e1101 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1115 = (_e1106 != 0u);
+                                            if (_e1106 == 0u) {
+                                                phi_4203_ = _e1102;
                                             } else {
-                                                if (_e879 == 7u) {
-                                                    phi_3766_ = 2147483648u;
+                                                if (_e1106 == 7u) {
+                                                    phi_4202_ = 2147483648u;
                                                 } else {
-                                                    phi_3766_ = ((2147483648u | (_e879 << bitcast<u32>(28u))) | (_e876 & 268435455u));
+                                                    phi_4202_ = ((2147483648u | (_e1106 << bitcast<u32>(28u))) | (_e1103 & 268435455u));
                                                 }
-                                                let _e897 = phi_3766_;
-                                                phi_3767_ = _e897;
+                                                let _e1124 = phi_4202_;
+                                                phi_4203_ = _e1124;
                                             }
-                                            let _e899 = phi_3767_;
-                                            if _e888 {
-                                                let _e900 = (_e879 != 7u);
-                                                if _e900 {
-                                                    phi_3777_ = (_e876 + (_e879 * ((3u * _e844) + 1u)));
+                                            let _e1126 = phi_4203_;
+                                            if _e1115 {
+                                                let _e1127 = (_e1106 != 7u);
+                                                if _e1127 {
+                                                    phi_4213_ = (_e1103 + (_e1106 * ((3u * _e1071) + 1u)));
                                                 } else {
-                                                    phi_3777_ = u32();
+                                                    phi_4213_ = u32();
                                                 }
-                                                let _e904 = phi_3777_;
-                                                phi_3779_ = _e904;
-                                                phi_3780_ = select(true, false, _e900);
+                                                let _e1131 = phi_4213_;
+                                                phi_4215_ = _e1131;
+                                                phi_4216_ = select(true, false, _e1127);
                                             } else {
-                                                phi_3779_ = u32();
-                                                phi_3780_ = true;
+                                                phi_4215_ = u32();
+                                                phi_4216_ = true;
                                             }
-                                            let _e907 = phi_3779_;
-                                            let _e909 = phi_3780_;
-                                            if (_e887 == 0u) {
-                                                phi_3801_ = (_e875 + select(0u, 1u, !(_e888)));
+                                            let _e1134 = phi_4215_;
+                                            let _e1136 = phi_4216_;
+                                            if (_e1114 == 0u) {
+                                                phi_4237_ = (_e1102 + select(0u, 1u, !(_e1115)));
                                             } else {
-                                                if (_e887 == 7u) {
-                                                    phi_3800_ = 2147483648u;
+                                                if (_e1114 == 7u) {
+                                                    phi_4236_ = 2147483648u;
                                                 } else {
-                                                    phi_3800_ = ((2147483648u | (_e887 << bitcast<u32>(28u))) | (select(_e907, _e876, _e909) & 268435455u));
+                                                    phi_4236_ = ((2147483648u | (_e1114 << bitcast<u32>(28u))) | (select(_e1134, _e1103, _e1136) & 268435455u));
                                                 }
-                                                let _e922 = phi_3800_;
-                                                phi_3801_ = _e922;
+                                                let _e1149 = phi_4236_;
+                                                phi_4237_ = _e1149;
                                             }
-                                            let _e924 = phi_3801_;
-                                            phi_3805_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e802, (_e626.member.member.x + _e754), _e807, (_e626.member.member_1.x - _e793)), vec4<f32>(_e803, (_e626.member.member.y + _e758), _e808, (_e626.member.member_1.y - _e797)), vec4<f32>(_e804, (_e626.member.member.z + _e762), _e809, (_e626.member.member_1.z - _e801))), type_57(type_37((_e626.member.member + vec4<f32>(_e732, _e741, _e750, 0f)), (_e626.member.member_1 - vec4<f32>(_e771, _e780, _e789, 0f))), _e899), type_57(type_37((_e626.member.member + vec4<f32>(_e754, _e758, _e762, 0f)), (_e626.member.member_1 - vec4<f32>(_e793, _e797, _e801, 0f))), _e924));
+                                            let _e1151 = phi_4237_;
+                                            phi_4241_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e1029, (_e847.member.member.x + _e981), _e1034, (_e847.member.member_1.x - _e1020)), vec4<f32>(_e1030, (_e847.member.member.y + _e985), _e1035, (_e847.member.member_1.y - _e1024)), vec4<f32>(_e1031, (_e847.member.member.z + _e989), _e1036, (_e847.member.member_1.z - _e1028))), type_57(type_37((_e847.member.member + vec4<f32>(_e959, _e968, _e977, 0f)), (_e847.member.member_1 - vec4<f32>(_e998, _e1007, _e1016, 0f))), _e1126), type_57(type_37((_e847.member.member + vec4<f32>(_e981, _e985, _e989, 0f)), (_e847.member.member_1 - vec4<f32>(_e1020, _e1024, _e1028, 0f))), _e1151));
                                         }
-                                        let _e929 = phi_3805_;
-                                        let _e941 = ((_e929.member[0].x - _e420) * _e425);
-                                        let _e942 = ((_e929.member[0].y - _e420) * _e425);
-                                        let _e943 = ((_e929.member[0].z - _e421) * _e425);
-                                        let _e944 = ((_e929.member[0].w - _e421) * _e425);
-                                        let _e954 = ((_e929.member[1].x - _e456) * _e461);
-                                        let _e955 = ((_e929.member[1].y - _e456) * _e461);
-                                        let _e956 = ((_e929.member[1].z - _e457) * _e461);
-                                        let _e957 = ((_e929.member[1].w - _e457) * _e461);
-                                        let _e967 = ((_e929.member[2].x - _e492) * _e497);
-                                        let _e968 = ((_e929.member[2].y - _e492) * _e497);
-                                        let _e969 = ((_e929.member[2].z - _e493) * _e497);
-                                        let _e970 = ((_e929.member[2].w - _e493) * _e497);
-                                        let _e972 = select(_e969, _e967, (_e967 < _e969));
-                                        let _e974 = select(_e970, _e968, (_e968 < _e970));
-                                        let _e976 = select(_e969, _e967, (_e967 > _e969));
-                                        let _e978 = select(_e970, _e968, (_e968 > _e970));
-                                        let _e980 = select(_e943, _e941, (_e941 < _e943));
-                                        let _e982 = select(_e944, _e942, (_e942 < _e944));
-                                        let _e984 = select(_e956, _e954, (_e954 < _e956));
-                                        let _e986 = select(_e957, _e955, (_e955 < _e957));
-                                        let _e988 = select(_e984, _e980, (_e980 > _e984));
-                                        let _e990 = select(_e986, _e982, (_e982 > _e986));
-                                        let _e992 = select(_e972, _e988, (_e988 > _e972));
-                                        let _e994 = select(_e974, _e990, (_e990 > _e974));
-                                        let _e996 = select(_e943, _e941, (_e941 > _e943));
-                                        let _e998 = select(_e944, _e942, (_e942 > _e944));
-                                        let _e1000 = select(_e956, _e954, (_e954 > _e956));
-                                        let _e1002 = select(_e957, _e955, (_e955 > _e957));
-                                        let _e1004 = select(_e1000, _e996, (_e996 < _e1000));
-                                        let _e1006 = select(_e1002, _e998, (_e998 < _e1002));
-                                        let _e1011 = -(_e972);
-                                        let _e1012 = -(_e974);
-                                        let _e1019 = (select(_e976, _e1004, (_e1004 < _e976)) + (select(_e1011, _e976, (_e976 > _e1011)) * 0.0000019073523f));
-                                        let _e1020 = (select(_e978, _e1006, (_e1006 < _e978)) + (select(_e1012, _e978, (_e978 > _e1012)) * 0.0000019073523f));
-                                        let _e1022 = select(_e543, _e992, (_e992 > _e543));
-                                        let _e1024 = select(_e543, _e994, (_e994 > _e543));
-                                        let _e1029 = (_e1022 <= select(_e587.member_1, _e1019, (_e1019 < _e587.member_1)));
-                                        let _e1030 = (_e1024 <= select(_e587.member_1, _e1020, (_e1020 < _e587.member_1)));
-                                        let _e1031 = (_e1022 <= _e1024);
-                                        if _e1029 {
-                                            if _e1030 {
-                                                if _e1031 {
-                                                    phi_4149_ = _e929.member_2;
+                                        let _e1156 = phi_4241_;
+                                        let _e1168 = ((_e1156.member[0].x - _e516) * _e521);
+                                        let _e1169 = ((_e1156.member[0].y - _e516) * _e521);
+                                        let _e1170 = ((_e1156.member[0].z - _e517) * _e521);
+                                        let _e1171 = ((_e1156.member[0].w - _e517) * _e521);
+                                        let _e1181 = ((_e1156.member[1].x - _e582) * _e587);
+                                        let _e1182 = ((_e1156.member[1].y - _e582) * _e587);
+                                        let _e1183 = ((_e1156.member[1].z - _e583) * _e587);
+                                        let _e1184 = ((_e1156.member[1].w - _e583) * _e587);
+                                        let _e1194 = ((_e1156.member[2].x - _e648) * _e653);
+                                        let _e1195 = ((_e1156.member[2].y - _e648) * _e653);
+                                        let _e1196 = ((_e1156.member[2].z - _e649) * _e653);
+                                        let _e1197 = ((_e1156.member[2].w - _e649) * _e653);
+                                        let _e1199 = select(_e1196, _e1194, (_e1194 < _e1196));
+                                        let _e1201 = select(_e1197, _e1195, (_e1195 < _e1197));
+                                        let _e1203 = select(_e1196, _e1194, (_e1194 > _e1196));
+                                        let _e1205 = select(_e1197, _e1195, (_e1195 > _e1197));
+                                        let _e1207 = select(_e1170, _e1168, (_e1168 < _e1170));
+                                        let _e1209 = select(_e1171, _e1169, (_e1169 < _e1171));
+                                        let _e1211 = select(_e1183, _e1181, (_e1181 < _e1183));
+                                        let _e1213 = select(_e1184, _e1182, (_e1182 < _e1184));
+                                        let _e1215 = select(_e1211, _e1207, (_e1207 > _e1211));
+                                        let _e1217 = select(_e1213, _e1209, (_e1209 > _e1213));
+                                        let _e1219 = select(_e1199, _e1215, (_e1215 > _e1199));
+                                        let _e1221 = select(_e1201, _e1217, (_e1217 > _e1201));
+                                        let _e1223 = select(_e1170, _e1168, (_e1168 > _e1170));
+                                        let _e1225 = select(_e1171, _e1169, (_e1169 > _e1171));
+                                        let _e1227 = select(_e1183, _e1181, (_e1181 > _e1183));
+                                        let _e1229 = select(_e1184, _e1182, (_e1182 > _e1184));
+                                        let _e1231 = select(_e1227, _e1223, (_e1223 < _e1227));
+                                        let _e1233 = select(_e1229, _e1225, (_e1225 < _e1229));
+                                        let _e1238 = -(_e1199);
+                                        let _e1239 = -(_e1201);
+                                        let _e1246 = (select(_e1203, _e1231, (_e1231 < _e1203)) + (select(_e1238, _e1203, (_e1203 > _e1238)) * 0.0000019073523f));
+                                        let _e1247 = (select(_e1205, _e1233, (_e1233 < _e1205)) + (select(_e1239, _e1205, (_e1205 > _e1239)) * 0.0000019073523f));
+                                        let _e1249 = select(_e764, _e1219, (_e1219 > _e764));
+                                        let _e1251 = select(_e764, _e1221, (_e1221 > _e764));
+                                        let _e1256 = (_e1249 <= select(_e808.member_1, _e1246, (_e1246 < _e808.member_1)));
+                                        let _e1257 = (_e1251 <= select(_e808.member_1, _e1247, (_e1247 < _e808.member_1)));
+                                        let _e1258 = (_e1249 <= _e1251);
+                                        if _e1256 {
+                                            if _e1257 {
+                                                if _e1258 {
+                                                    phi_4585_ = _e1156.member_2;
                                                 } else {
-                                                    phi_4149_ = _e929.member_1;
+                                                    phi_4585_ = _e1156.member_1;
                                                 }
-                                                let _e1035 = phi_4149_;
-                                                let _e1057 = (_e630 % 128u);
-                                                let _e1058 = (_e1057 < 128u);
-                                                if _e1058 {
+                                                let _e1262 = phi_4585_;
+                                                let _e1284 = (_e851 % 128u);
+                                                let _e1285 = (_e1284 < 128u);
+                                                if _e1285 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1057] = _e1035.member_1;
-                                                if _e1058 {
+                                                local_8[_e1284] = _e1262.member_1;
+                                                if _e1285 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1057] = _e1035.member.member.x;
-                                                if _e1058 {
+                                                local_7[_e1284] = _e1262.member.member.x;
+                                                if _e1285 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1057] = _e1035.member.member.y;
-                                                if _e1058 {
+                                                local_6[_e1284] = _e1262.member.member.y;
+                                                if _e1285 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1057] = _e1035.member.member.z;
-                                                if _e1058 {
+                                                local_5[_e1284] = _e1262.member.member.z;
+                                                if _e1285 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1057] = _e1035.member.member_1.x;
-                                                if _e1058 {
+                                                local_4[_e1284] = _e1262.member.member_1.x;
+                                                if _e1285 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1057] = _e1035.member.member_1.y;
-                                                if _e1058 {
+                                                local_3[_e1284] = _e1262.member.member_1.y;
+                                                if _e1285 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1057] = _e1035.member.member_1.z;
-                                                if _e1058 {
+                                                local_2[_e1284] = _e1262.member.member_1.z;
+                                                if _e1285 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1057] = select(_e1024, _e1022, (_e1022 > _e1024));
-                                                if _e1031 {
-                                                    phi_4226_ = _e929.member_1;
+                                                local_9[_e1284] = select(_e1251, _e1249, (_e1249 > _e1251));
+                                                if _e1258 {
+                                                    phi_4662_ = _e1156.member_1;
                                                 } else {
-                                                    phi_4226_ = _e929.member_2;
+                                                    phi_4662_ = _e1156.member_2;
                                                 }
-                                                let _e1071 = phi_4226_;
-                                                phi_4227_ = _e1071;
-                                                phi_4228_ = (_e630 + 1u);
+                                                let _e1298 = phi_4662_;
+                                                phi_4663_ = _e1298;
+                                                phi_4664_ = (_e851 + 1u);
                                             } else {
-                                                phi_4227_ = type_57();
-                                                phi_4228_ = u32();
+                                                phi_4663_ = type_57();
+                                                phi_4664_ = u32();
                                             }
-                                            let _e1073 = phi_4227_;
-                                            let _e1075 = phi_4228_;
-                                            phi_4230_ = _e1073;
-                                            phi_4231_ = _e1075;
-                                            phi_4232_ = select(true, false, _e1030);
+                                            let _e1300 = phi_4663_;
+                                            let _e1302 = phi_4664_;
+                                            phi_4666_ = _e1300;
+                                            phi_4667_ = _e1302;
+                                            phi_4668_ = select(true, false, _e1257);
                                         } else {
-                                            phi_4230_ = type_57();
-                                            phi_4231_ = u32();
-                                            phi_4232_ = true;
+                                            phi_4666_ = type_57();
+                                            phi_4667_ = u32();
+                                            phi_4668_ = true;
                                         }
-                                        let _e1078 = phi_4230_;
-                                        let _e1080 = phi_4231_;
-                                        let _e1082 = phi_4232_;
-                                        if _e1082 {
-                                            if _e1029 {
-                                                phi_4241_ = _e929.member_1;
+                                        let _e1305 = phi_4666_;
+                                        let _e1307 = phi_4667_;
+                                        let _e1309 = phi_4668_;
+                                        if _e1309 {
+                                            if _e1256 {
+                                                phi_4677_ = _e1156.member_1;
                                             } else {
-                                                phi_4241_ = _e929.member_2;
+                                                phi_4677_ = _e1156.member_2;
                                             }
-                                            let _e1086 = phi_4241_;
-                                            phi_4246_ = _e1086;
-                                            phi_4247_ = select(_e1030, true, _e1029);
+                                            let _e1313 = phi_4677_;
+                                            phi_4682_ = _e1313;
+                                            phi_4683_ = select(_e1257, true, _e1256);
                                         } else {
-                                            phi_4246_ = _e1078;
-                                            phi_4247_ = _e628;
+                                            phi_4682_ = _e1305;
+                                            phi_4683_ = _e849;
                                         }
-                                        let _e1089 = phi_4246_;
-                                        let _e1091 = phi_4247_;
-                                        phi_4805_ = _e585;
-                                        phi_4249_ = _e587;
-                                        phi_4250_ = _e1089;
-                                        phi_4251_ = _e1091;
-                                        phi_4252_ = select(_e1080, _e630, _e1082);
+                                        let _e1316 = phi_4682_;
+                                        let _e1318 = phi_4683_;
+                                        phi_5373_ = _e806;
+                                        phi_4685_ = _e808;
+                                        phi_4686_ = _e1316;
+                                        phi_4687_ = _e1318;
+                                        phi_4688_ = select(_e1307, _e851, _e1309);
                                     }
-                                    let _e2241 = phi_4805_;
-                                    let _e2243 = phi_4249_;
-                                    let _e2245 = phi_4250_;
-                                    let _e2247 = phi_4251_;
-                                    let _e2249 = phi_4252_;
-                                    phi_4804_ = _e2241;
-                                    phi_4253_ = _e2243;
-                                    phi_4254_ = _e2245;
-                                    phi_4255_ = (_e591 - 1u);
-                                    phi_4256_ = _e2247;
-                                    phi_4257_ = _e2249;
+                                    let _e2486 = phi_5373_;
+                                    let _e2488 = phi_4685_;
+                                    let _e2490 = phi_4686_;
+                                    let _e2492 = phi_4687_;
+                                    let _e2494 = phi_4688_;
+                                    phi_5372_ = _e2486;
+                                    phi_4689_ = _e2488;
+                                    phi_4690_ = _e2490;
+                                    phi_4691_ = (_e812 - 1u);
+                                    phi_4692_ = _e2492;
+                                    phi_4693_ = _e2494;
                                 } else {
-                                    phi_4804_ = _e585;
-                                    phi_4253_ = _e587;
-                                    phi_4254_ = _e626;
-                                    phi_4255_ = _e591;
-                                    phi_4256_ = _e628;
-                                    phi_4257_ = _e630;
+                                    phi_5372_ = _e806;
+                                    phi_4689_ = _e808;
+                                    phi_4690_ = _e847;
+                                    phi_4691_ = _e812;
+                                    phi_4692_ = _e849;
+                                    phi_4693_ = _e851;
                                 }
-                                let _e2251 = phi_4804_;
-                                let _e2253 = phi_4253_;
-                                let _e2255 = phi_4254_;
-                                let _e2257 = phi_4255_;
-                                let _e2259 = phi_4256_;
-                                let _e2261 = phi_4257_;
-                                phi_4803_ = _e2251;
-                                phi_4258_ = _e2253;
-                                phi_4259_ = _e2255;
-                                phi_4260_ = _e2257;
-                                phi_4261_ = _e2259;
-                                phi_4262_ = _e2261;
+                                let _e2496 = phi_5372_;
+                                let _e2498 = phi_4689_;
+                                let _e2500 = phi_4690_;
+                                let _e2502 = phi_4691_;
+                                let _e2504 = phi_4692_;
+                                let _e2506 = phi_4693_;
+                                phi_5371_ = _e2496;
+                                phi_4694_ = _e2498;
+                                phi_4695_ = _e2500;
+                                phi_4696_ = _e2502;
+                                phi_4697_ = _e2504;
+                                phi_4698_ = _e2506;
                             } else {
-                                phi_4803_ = _e585;
-                                phi_4258_ = type_42();
-                                phi_4259_ = type_57();
-                                phi_4260_ = u32();
-                                phi_4261_ = bool();
-                                phi_4262_ = u32();
+                                phi_5371_ = _e806;
+                                phi_4694_ = type_42();
+                                phi_4695_ = type_57();
+                                phi_4696_ = u32();
+                                phi_4697_ = bool();
+                                phi_4698_ = u32();
                             }
-                            let _e2263 = phi_4803_;
-                            let _e2265 = phi_4258_;
-                            let _e2267 = phi_4259_;
-                            let _e2269 = phi_4260_;
-                            let _e2271 = phi_4261_;
-                            let _e2273 = phi_4262_;
-                            phi_4802_ = _e2263;
-                            phi_967_ = _e2265;
-                            phi_970_ = _e2267;
-                            phi_972_ = _e2269;
-                            phi_974_ = _e2271;
-                            phi_976_ = _e2273;
-                            phi_4263_ = _e599;
+                            let _e2508 = phi_5371_;
+                            let _e2510 = phi_4694_;
+                            let _e2512 = phi_4695_;
+                            let _e2514 = phi_4696_;
+                            let _e2516 = phi_4697_;
+                            let _e2518 = phi_4698_;
+                            phi_5370_ = _e2508;
+                            phi_1385_ = _e2510;
+                            phi_1388_ = _e2512;
+                            phi_1390_ = _e2514;
+                            phi_1392_ = _e2516;
+                            phi_1394_ = _e2518;
+                            phi_4699_ = _e820;
                         } else {
-                            phi_4802_ = _e585;
-                            phi_967_ = type_42();
-                            phi_970_ = type_57();
-                            phi_972_ = u32();
-                            phi_974_ = bool();
-                            phi_976_ = u32();
-                            phi_4263_ = false;
+                            phi_5370_ = _e806;
+                            phi_1385_ = type_42();
+                            phi_1388_ = type_57();
+                            phi_1390_ = u32();
+                            phi_1392_ = bool();
+                            phi_1394_ = u32();
+                            phi_4699_ = false;
                         }
-                        let _e2275 = phi_4802_;
-                        let _e2277 = phi_967_;
-                        let _e2279 = phi_970_;
-                        let _e2281 = phi_972_;
-                        let _e2283 = phi_974_;
-                        let _e2285 = phi_976_;
-                        let _e2287 = phi_4263_;
+                        let _e2520 = phi_5370_;
+                        let _e2522 = phi_1385_;
+                        let _e2524 = phi_1388_;
+                        let _e2526 = phi_1390_;
+                        let _e2528 = phi_1392_;
+                        let _e2530 = phi_1394_;
+                        let _e2532 = phi_4699_;
                         continue;
                         continuing {
-                            phi_4594_ = _e2275;
-                            phi_966_ = _e2277;
-                            phi_969_ = _e2279;
-                            phi_971_ = _e2281;
-                            phi_973_ = _e2283;
-                            phi_975_ = _e2285;
-                            phi_4801_ = _e2275;
-                            break if !(_e2287);
+                            phi_5136_ = _e2520;
+                            phi_1384_ = _e2522;
+                            phi_1387_ = _e2524;
+                            phi_1389_ = _e2526;
+                            phi_1391_ = _e2528;
+                            phi_1393_ = _e2530;
+                            phi_5369_ = _e2520;
+                            break if !(_e2532);
                         }
                     }
-                    let _e2290 = phi_4801_;
-                    if _e2290 {
+                    let _e2535 = phi_5369_;
+                    if _e2535 {
                         break;
                     }
-                    let _e2292 = local_10;
-                    if (_e2292.member.member_3 != 4294967295u) {
-                        let _e2297 = (_e367 / 3i);
-                        let _e2304 = bitcast<f32>((bitcast<u32>((_e2297 + 127i)) << bitcast<u32>(23i)));
-                        let _e2312 = (((_e2292.member.member * _e2304) * _e2304) * bitcast<f32>((bitcast<u32>(((_e367 - (2i * _e2297)) + 127i)) << bitcast<u32>(23i))));
-                        let _e2314 = select(340282350000000000000000000000000000000f, _e2312, (_e2312 < 340282350000000000000000000000000000000f));
-                        phi_4315_ = type_25(select(-340282350000000000000000000000000000000f, _e2314, (_e2314 > -340282350000000000000000000000000000000f)), _e2292.member.member_1, _e2292.member.member_2, _e2292.member.member_3);
+                    let _e2537 = local_10;
+                    if (_e2537.member.member_3 != 4294967295u) {
+                        let _e2542 = bitcast<u32>(_e2537.member.member);
+                        let _e2546 = (bitcast<i32>((_e2542 >> bitcast<u32>(23i))) & 255i);
+                        let _e2547 = (_e2546 + _e433);
+                        if (_e2546 == 255i) {
+                            phi_4758_ = _e2537.member.member;
+                        } else {
+                            if (_e2546 > 0i) {
+                                if (_e2547 > 0i) {
+                                    let _e2551 = (_e2547 < 255i);
+                                    if _e2551 {
+                                        phi_4737_ = bitcast<f32>((_e2542 + bitcast<u32>((_e433 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_4737_ = f32();
+                                    }
+                                    let _e2558 = phi_4737_;
+                                    phi_4739_ = _e2558;
+                                    phi_4740_ = select(true, false, _e2551);
+                                } else {
+                                    phi_4739_ = f32();
+                                    phi_4740_ = true;
+                                }
+                                let _e2561 = phi_4739_;
+                                let _e2563 = phi_4740_;
+                                phi_4741_ = _e2561;
+                                phi_4742_ = _e2563;
+                            } else {
+                                phi_4741_ = f32();
+                                phi_4742_ = true;
+                            }
+                            let _e2565 = phi_4741_;
+                            let _e2567 = phi_4742_;
+                            if _e2567 {
+                                let _e2568 = (_e2542 & 2147483648u);
+                                let _e2575 = ((_e2542 & 8388607u) | (select(0u, 1u, ((_e2542 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2579 = (_e2575 == 0u);
+                                if _e2579 {
+                                    phi_5088_ = bitcast<f32>(_e2568);
+                                } else {
+                                    let _e2584 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2575)), 32u, _e2579) - 8u);
+                                    let _e2587 = (_e2575 << bitcast<u32>((_e2584 & 31u)));
+                                    let _e2589 = ((_e2547 + select(0i, 1i, (_e2546 == 0i))) - bitcast<i32>(_e2584));
+                                    if (_e2589 >= 255i) {
+                                        phi_5078_ = bitcast<f32>((_e2568 | 2139095040u));
+                                        phi_5079_ = f32();
+                                        phi_5080_ = true;
+                                    } else {
+                                        let _e2591 = (_e2589 > 0i);
+                                        if _e2591 {
+                                            phi_5072_ = bitcast<f32>(((_e2568 | (bitcast<u32>(_e2589) << bitcast<u32>(23i))) | (_e2587 & 8388607u)));
+                                            phi_5073_ = f32();
+                                        } else {
+                                            if (_e2589 < -24i) {
+                                                phi_5038_ = 26u;
+                                            } else {
+                                                phi_5038_ = bitcast<u32>((1i - _e2589));
+                                            }
+                                            let _e2596 = phi_5038_;
+                                            let _e2597 = (_e2596 & 31u);
+                                            let _e2599 = (_e2587 >> bitcast<u32>(_e2597));
+                                            let _e2603 = (_e2587 & ((1u << bitcast<u32>(_e2597)) - 1u));
+                                            let _e2607 = (1u << bitcast<u32>(((_e2596 - 1u) & 31u)));
+                                            if (_e2603 > _e2607) {
+                                                phi_5059_ = true;
+                                            } else {
+                                                if (_e2603 == _e2607) {
+                                                    phi_5056_ = ((_e2599 & 1u) == 1u);
+                                                } else {
+                                                    phi_5056_ = false;
+                                                }
+                                                let _e2613 = phi_5056_;
+                                                phi_5059_ = _e2613;
+                                            }
+                                            let _e2615 = phi_5059_;
+                                            phi_5072_ = f32();
+                                            phi_5073_ = bitcast<f32>((_e2568 | (_e2599 + select(0u, 1u, _e2615))));
+                                        }
+                                        let _e2628 = phi_5072_;
+                                        let _e2630 = phi_5073_;
+                                        phi_5078_ = _e2628;
+                                        phi_5079_ = _e2630;
+                                        phi_5080_ = _e2591;
+                                    }
+                                    let _e2634 = phi_5078_;
+                                    let _e2636 = phi_5079_;
+                                    let _e2638 = phi_5080_;
+                                    phi_5088_ = select(_e2636, _e2634, _e2638);
+                                }
+                                let _e2642 = phi_5088_;
+                                phi_4757_ = _e2642;
+                            } else {
+                                phi_4757_ = _e2565;
+                            }
+                            let _e2644 = phi_4757_;
+                            phi_4758_ = _e2644;
+                        }
+                        let _e2646 = phi_4758_;
+                        let _e2647 = bitcast<u32>(_e2646);
+                        if ((_e2647 & 2147483647u) >= 2139095040u) {
+                            phi_4770_ = bitcast<f32>(((_e2647 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_4770_ = _e2646;
+                        }
+                        let _e2654 = phi_4770_;
+                        phi_4775_ = type_25(_e2654, _e2537.member.member_1, _e2537.member.member_2, _e2537.member.member_3);
                     } else {
-                        phi_4315_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4775_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2321 = phi_4315_;
-                    if _e244 {
+                    let _e2659 = phi_4775_;
+                    if _e310 {
                     } else {
                         break;
                     }
-                    global_8.member[_e150] = _e2321;
-                    if _e165 {
+                    global_8.member[_e156] = _e2659;
+                    if _e171 {
                     } else {
                         break;
                     }
-                    let _e2325 = select(0u, 1u, (_e311 <= _e321));
-                    if (_e2325 > 0u) {
-                        let _e2327 = (1u < _e118);
-                        if _e2327 {
-                            if (0u < _e118) {
+                    let _e2663 = select(0u, 1u, (_e377 <= _e387));
+                    if (_e2663 > 0u) {
+                        let _e2665 = (1u < _e124);
+                        if _e2665 {
+                            if (0u < _e124) {
                             } else {
                                 break;
                             }
-                            let _e2331 = atomicAdd((&global_9.member[0u]), _e2325);
-                            if ((_e2331 + _e2325) < _e2331) {
-                                if _e2327 {
+                            let _e2669 = atomicAdd((&global_9.member[0u]), _e2663);
+                            if ((_e2669 + _e2663) < _e2669) {
+                                if _e2665 {
                                 } else {
                                     break;
                                 }
-                                let _e2336 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e2674 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2339 = select(0u, 1u, (_e2321.member_3 != 4294967295u));
-                    if (_e2339 > 0u) {
-                        let _e2341 = (3u < _e118);
-                        if _e2341 {
-                            if (2u < _e118) {
+                    let _e2677 = select(0u, 1u, (_e2659.member_3 != 4294967295u));
+                    if (_e2677 > 0u) {
+                        let _e2679 = (3u < _e124);
+                        if _e2679 {
+                            if (2u < _e124) {
                             } else {
                                 break;
                             }
-                            let _e2345 = atomicAdd((&global_9.member[2u]), _e2339);
-                            if ((_e2345 + _e2339) < _e2345) {
-                                if _e2341 {
+                            let _e2683 = atomicAdd((&global_9.member[2u]), _e2677);
+                            if ((_e2683 + _e2677) < _e2683) {
+                                if _e2679 {
                                 } else {
                                     break;
                                 }
-                                let _e2350 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e2688 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

@@ -127,445 +127,533 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_327_: u32;
-    var phi_371_: i32;
-    var phi_395_: type_40;
-    var phi_501_: i32;
-    var phi_502_: i32;
-    var phi_512_: bool;
-    var phi_522_: u32;
-    var phi_523_: u32;
-    var phi_525_: bool;
-    var phi_530_: u32;
-    var phi_562_: i32;
-    var phi_580_: f32;
-    var phi_586_: f32;
-    var phi_597_: f32;
-    var phi_603_: f32;
-    var phi_626_: f32;
-    var phi_637_: f32;
-    var phi_646_: f32;
-    var phi_652_: f32;
-    var phi_663_: f32;
-    var phi_669_: f32;
-    var phi_692_: f32;
-    var phi_703_: f32;
-    var phi_712_: f32;
-    var phi_718_: f32;
-    var phi_729_: f32;
-    var phi_735_: f32;
-    var phi_758_: f32;
-    var phi_769_: f32;
-    var phi_869_: f32;
-    var phi_870_: f32;
-    var phi_3968_: bool;
-    var phi_959_: type_43;
-    var phi_962_: type_62;
-    var phi_964_: u32;
-    var phi_966_: bool;
-    var phi_968_: u32;
-    var phi_979_: bool;
-    var phi_1065_: type_62;
-    var phi_1066_: bool;
-    var phi_1067_: u32;
-    var phi_3140_: u32;
-    var phi_3141_: u32;
-    var phi_3151_: u32;
-    var phi_3153_: u32;
-    var phi_3154_: bool;
-    var phi_3174_: u32;
-    var phi_3175_: u32;
-    var phi_3179_: type_63;
-    var phi_3523_: type_62;
-    var phi_3600_: type_62;
-    var phi_3601_: type_62;
-    var phi_3602_: u32;
-    var phi_3604_: type_62;
-    var phi_3605_: u32;
-    var phi_3606_: bool;
-    var phi_3615_: type_62;
-    var phi_3620_: type_62;
-    var phi_3621_: bool;
-    var phi_1085_: type_43;
-    var phi_1088_: type_8;
-    var phi_1089_: type_8;
-    var phi_1111_: type_8;
-    var phi_1132_: u32;
-    var phi_1221_: array<array<f32, 3>, 3>;
-    var phi_1338_: bool;
-    var phi_1367_: bool;
-    var phi_1768_: f32;
-    var phi_1769_: f32;
-    var phi_1770_: f32;
-    var phi_1771_: f32;
-    var phi_1772_: vec3<f32>;
-    var phi_1773_: vec3<f32>;
-    var phi_1774_: vec3<f32>;
-    var phi_1775_: vec3<f32>;
-    var phi_1806_: bool;
-    var phi_1815_: vec3<f32>;
-    var phi_1980_: f32;
-    var phi_1982_: f32;
-    var phi_1983_: bool;
-    var phi_2003_: f32;
-    var phi_2004_: f32;
-    var phi_2027_: type_26;
-    var phi_2029_: type_26;
-    var phi_2030_: bool;
-    var phi_2034_: type_26;
-    var phi_2035_: type_26;
-    var phi_2036_: type_26;
-    var phi_2037_: bool;
-    var phi_2041_: type_26;
-    var phi_2042_: bool;
-    var phi_2043_: type_26;
-    var phi_2044_: bool;
-    var phi_2045_: bool;
-    var phi_2046_: type_26;
-    var phi_2047_: bool;
-    var phi_2048_: bool;
-    var phi_2056_: type_26;
-    var phi_2057_: bool;
-    var phi_2061_: type_26;
-    var phi_2084_: u32;
-    var phi_2098_: i32;
-    var phi_2118_: vec3<f32>;
-    var phi_2119_: vec3<f32>;
-    var phi_2135_: vec3<f32>;
-    var phi_2136_: vec3<f32>;
-    var phi_2152_: vec3<f32>;
-    var phi_2153_: vec3<f32>;
-    var phi_2189_: vec3<f32>;
-    var phi_2371_: f32;
-    var phi_2389_: bool;
-    var phi_2390_: bool;
-    var phi_2409_: bool;
-    var phi_2410_: bool;
-    var phi_2416_: type_43;
-    var phi_2417_: type_43;
-    var phi_2418_: type_43;
-    var phi_1086_: type_43;
-    var phi_3962_: bool;
-    var phi_4132_: bool;
-    var phi_3623_: type_43;
-    var phi_3624_: type_62;
-    var phi_3625_: bool;
-    var phi_3626_: u32;
-    var phi_4131_: bool;
-    var phi_3627_: type_43;
-    var phi_3628_: type_62;
-    var phi_3629_: u32;
-    var phi_3630_: bool;
-    var phi_3631_: u32;
-    var phi_4130_: bool;
-    var phi_3632_: type_43;
-    var phi_3633_: type_62;
-    var phi_3634_: u32;
-    var phi_3635_: bool;
-    var phi_3636_: u32;
-    var phi_4129_: bool;
-    var phi_960_: type_43;
-    var phi_963_: type_62;
-    var phi_965_: u32;
-    var phi_967_: bool;
-    var phi_969_: u32;
-    var phi_3637_: bool;
-    var phi_4128_: bool;
+    var phi_410_: u32;
+    var phi_454_: i32;
+    var phi_594_: type_40;
+    var phi_700_: i32;
+    var phi_701_: i32;
+    var phi_711_: bool;
+    var phi_721_: u32;
+    var phi_722_: u32;
+    var phi_724_: bool;
+    var phi_729_: u32;
+    var phi_761_: i32;
+    var phi_779_: f32;
+    var phi_785_: f32;
+    var phi_825_: f32;
+    var phi_831_: f32;
+    var phi_883_: f32;
+    var phi_894_: f32;
+    var phi_903_: f32;
+    var phi_909_: f32;
+    var phi_949_: f32;
+    var phi_955_: f32;
+    var phi_1007_: f32;
+    var phi_1018_: f32;
+    var phi_1027_: f32;
+    var phi_1033_: f32;
+    var phi_1073_: f32;
+    var phi_1079_: f32;
+    var phi_1131_: f32;
+    var phi_1142_: f32;
+    var phi_1197_: i32;
+    var phi_1219_: u32;
+    var phi_1220_: u32;
+    var phi_1257_: i32;
+    var phi_1279_: u32;
+    var phi_1280_: u32;
+    var phi_1288_: f32;
+    var phi_1289_: f32;
+    var phi_4493_: bool;
+    var phi_1378_: type_43;
+    var phi_1381_: type_62;
+    var phi_1383_: u32;
+    var phi_1385_: bool;
+    var phi_1387_: u32;
+    var phi_1398_: bool;
+    var phi_1484_: type_62;
+    var phi_1485_: bool;
+    var phi_1486_: u32;
+    var phi_3559_: u32;
+    var phi_3560_: u32;
+    var phi_3570_: u32;
+    var phi_3572_: u32;
+    var phi_3573_: bool;
+    var phi_3593_: u32;
+    var phi_3594_: u32;
+    var phi_3598_: type_63;
+    var phi_3942_: type_62;
+    var phi_4019_: type_62;
+    var phi_4020_: type_62;
+    var phi_4021_: u32;
+    var phi_4023_: type_62;
+    var phi_4024_: u32;
+    var phi_4025_: bool;
+    var phi_4034_: type_62;
+    var phi_4039_: type_62;
+    var phi_4040_: bool;
+    var phi_1504_: type_43;
+    var phi_1507_: type_8;
+    var phi_1508_: type_8;
+    var phi_1530_: type_8;
+    var phi_1551_: u32;
+    var phi_1640_: array<array<f32, 3>, 3>;
+    var phi_1757_: bool;
+    var phi_1786_: bool;
+    var phi_2187_: f32;
+    var phi_2188_: f32;
+    var phi_2189_: f32;
+    var phi_2190_: f32;
+    var phi_2191_: vec3<f32>;
+    var phi_2192_: vec3<f32>;
+    var phi_2193_: vec3<f32>;
+    var phi_2194_: vec3<f32>;
+    var phi_2225_: bool;
+    var phi_2234_: vec3<f32>;
+    var phi_2399_: f32;
+    var phi_2401_: f32;
+    var phi_2402_: bool;
+    var phi_2422_: f32;
+    var phi_2423_: f32;
+    var phi_2446_: type_26;
+    var phi_2448_: type_26;
+    var phi_2449_: bool;
+    var phi_2453_: type_26;
+    var phi_2454_: type_26;
+    var phi_2455_: type_26;
+    var phi_2456_: bool;
+    var phi_2460_: type_26;
+    var phi_2461_: bool;
+    var phi_2462_: type_26;
+    var phi_2463_: bool;
+    var phi_2464_: bool;
+    var phi_2465_: type_26;
+    var phi_2466_: bool;
+    var phi_2467_: bool;
+    var phi_2475_: type_26;
+    var phi_2476_: bool;
+    var phi_2480_: type_26;
+    var phi_2503_: u32;
+    var phi_2517_: i32;
+    var phi_2537_: vec3<f32>;
+    var phi_2538_: vec3<f32>;
+    var phi_2554_: vec3<f32>;
+    var phi_2555_: vec3<f32>;
+    var phi_2571_: vec3<f32>;
+    var phi_2572_: vec3<f32>;
+    var phi_2608_: vec3<f32>;
+    var phi_2790_: f32;
+    var phi_2808_: bool;
+    var phi_2809_: bool;
+    var phi_2828_: bool;
+    var phi_2829_: bool;
+    var phi_2835_: type_43;
+    var phi_2836_: type_43;
+    var phi_2837_: type_43;
+    var phi_1505_: type_43;
+    var phi_4487_: bool;
+    var phi_4683_: bool;
+    var phi_4042_: type_43;
+    var phi_4043_: type_62;
+    var phi_4044_: bool;
+    var phi_4045_: u32;
+    var phi_4682_: bool;
+    var phi_4046_: type_43;
+    var phi_4047_: type_62;
+    var phi_4048_: u32;
+    var phi_4049_: bool;
+    var phi_4050_: u32;
+    var phi_4681_: bool;
+    var phi_4051_: type_43;
+    var phi_4052_: type_62;
+    var phi_4053_: u32;
+    var phi_4054_: bool;
+    var phi_4055_: u32;
+    var phi_4680_: bool;
+    var phi_1379_: type_43;
+    var phi_1382_: type_62;
+    var phi_1384_: u32;
+    var phi_1386_: bool;
+    var phi_1388_: u32;
+    var phi_4056_: bool;
+    var phi_4679_: bool;
     var local_10: type_43;
-    var phi_3689_: type_26;
+    var phi_4094_: f32;
+    var phi_4096_: f32;
+    var phi_4097_: bool;
+    var phi_4098_: f32;
+    var phi_4099_: bool;
+    var phi_4395_: u32;
+    var phi_4413_: bool;
+    var phi_4416_: bool;
+    var phi_4429_: f32;
+    var phi_4430_: f32;
+    var phi_4435_: f32;
+    var phi_4436_: f32;
+    var phi_4437_: bool;
+    var phi_4445_: f32;
+    var phi_4114_: f32;
+    var phi_4115_: f32;
+    var phi_4127_: f32;
+    var phi_4132_: type_26;
     var local_11: type_43;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e94 = global;
-            let _e96 = arrayLength((&global_10.member));
-            let _e98 = arrayLength((&global_4.member));
-            let _e110 = arrayLength((&global_9.member));
-            let _e114 = global_3.member[0u][0u];
-            let _e118 = global_3.member[0u][1u];
-            let _e122 = global_3.member[0u][2u];
-            let _e126 = global_3.member[0u][3u];
-            let _e130 = global_3.member[1u][0u];
-            let _e134 = global_3.member[1u][1u];
-            let _e138 = global_3.member[1u][2u];
-            let _e142 = (_e94.x + (_e94.y * 2097152u));
-            let _e154 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e126) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e114), bitcast<i32>(_e118), bitcast<i32>(_e122));
-            local = array<i32, 3>(bitcast<i32>(_e130), bitcast<i32>(_e134), bitcast<i32>(_e138));
-            let _e157 = (_e142 < arrayLength((&global_7.member)));
-            if _e157 {
-                if _e157 {
+            let _e101 = global;
+            let _e103 = arrayLength((&global_10.member));
+            let _e105 = arrayLength((&global_4.member));
+            let _e117 = arrayLength((&global_9.member));
+            let _e121 = global_3.member[0u][0u];
+            let _e125 = global_3.member[0u][1u];
+            let _e129 = global_3.member[0u][2u];
+            let _e133 = global_3.member[0u][3u];
+            let _e137 = global_3.member[1u][0u];
+            let _e141 = global_3.member[1u][1u];
+            let _e145 = global_3.member[1u][2u];
+            let _e149 = (_e101.x + (_e101.y * 2097152u));
+            let _e161 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e133) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e121), bitcast<i32>(_e125), bitcast<i32>(_e129));
+            local = array<i32, 3>(bitcast<i32>(_e137), bitcast<i32>(_e141), bitcast<i32>(_e145));
+            let _e164 = (_e149 < arrayLength((&global_7.member)));
+            if _e164 {
+                if _e164 {
                 } else {
                     break;
                 }
-                let _e161 = global_7.member[_e142].member_2;
-                phi_327_ = _e161;
+                let _e168 = global_7.member[_e149].member_2;
+                phi_410_ = _e168;
             } else {
-                phi_327_ = 4294967295u;
+                phi_410_ = 4294967295u;
             }
-            let _e163 = phi_327_;
-            let _e166 = global_1.member[0u];
-            let _e170 = global_2.member[0u][0u];
-            let _e174 = global_2.member[0u][1u];
-            let _e178 = global_2.member[0u][2u];
-            let _e182 = global_2.member[0u][3u];
-            let _e186 = global_2.member[1u][0u];
-            let _e190 = global_2.member[1u][1u];
-            let _e194 = global_2.member[1u][2u];
-            let _e198 = global_2.member[1u][3u];
-            let _e199 = bitcast<f32>(_e170);
-            let _e200 = bitcast<f32>(_e174);
-            let _e201 = bitcast<f32>(_e178);
-            let _e203 = bitcast<f32>(_e186);
-            let _e204 = array<u32, 3>(_e190, _e194, _e198);
-            let _e206 = bitcast<i32>(_e166);
-            if (_e206 < -126i) {
-                phi_371_ = -126i;
+            let _e170 = phi_410_;
+            let _e173 = global_1.member[0u];
+            let _e177 = global_2.member[0u][0u];
+            let _e181 = global_2.member[0u][1u];
+            let _e185 = global_2.member[0u][2u];
+            let _e189 = global_2.member[0u][3u];
+            let _e193 = global_2.member[1u][0u];
+            let _e197 = global_2.member[1u][1u];
+            let _e201 = global_2.member[1u][2u];
+            let _e205 = global_2.member[1u][3u];
+            let _e206 = bitcast<f32>(_e177);
+            let _e207 = bitcast<f32>(_e181);
+            let _e208 = bitcast<f32>(_e185);
+            let _e210 = bitcast<f32>(_e193);
+            let _e211 = array<u32, 3>(_e197, _e201, _e205);
+            let _e213 = bitcast<i32>(_e173);
+            if (_e213 < -126i) {
+                phi_454_ = -126i;
             } else {
-                phi_371_ = select(_e206, 127i, (_e206 > 127i));
+                phi_454_ = select(_e213, 127i, (_e213 > 127i));
             }
-            let _e211 = phi_371_;
-            let _e216 = bitcast<f32>((bitcast<u32>((_e211 + 127i)) << bitcast<u32>(23i)));
-            let _e222 = bitcast<f32>((bitcast<u32>(((_e206 - _e211) + 127i)) << bitcast<u32>(23i)));
-            if (_e182 == 0u) {
-                phi_395_ = type_40(array<f32, 3>(_e199, _e200, _e201), _e182, _e203, _e204);
+            let _e218 = phi_454_;
+            let _e223 = bitcast<f32>((bitcast<u32>((_e218 + 127i)) << bitcast<u32>(23i)));
+            let _e229 = bitcast<f32>((bitcast<u32>(((_e213 - _e218) + 127i)) << bitcast<u32>(23i)));
+            if (_e189 == 0u) {
+                phi_594_ = type_40(array<f32, 3>(_e206, _e207, _e208), _e189, _e210, _e211);
             } else {
-                phi_395_ = type_40(array<f32, 3>(((_e199 * _e216) * _e222), ((_e200 * _e216) * _e222), ((_e201 * _e216) * _e222)), _e182, ((_e203 * _e216) * _e222), _e204);
+                let _e231 = bitcast<u32>(_e206);
+                let _e233 = ((_e231 & 2139095040u) != 0u);
+                let _e248 = bitcast<u32>(_e207);
+                let _e250 = ((_e248 & 2139095040u) != 0u);
+                let _e265 = bitcast<u32>(_e208);
+                let _e267 = ((_e265 & 2139095040u) != 0u);
+                let _e283 = bitcast<u32>(_e210);
+                let _e285 = ((_e283 & 2139095040u) != 0u);
+                phi_594_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e231 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e231 & 2147483648u))), _e206, _e233) * _e223) * select(0.00000011920929f, 1f, _e233)) * _e229), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e248 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e248 & 2147483648u))), _e207, _e250) * _e223) * select(0.00000011920929f, 1f, _e250)) * _e229), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e265 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e265 & 2147483648u))), _e208, _e267) * _e223) * select(0.00000011920929f, 1f, _e267)) * _e229)), _e189, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e283 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e283 & 2147483648u))), _e210, _e285) * _e223) * select(0.00000011920929f, 1f, _e285)) * _e229), _e211);
             }
-            let _e235 = phi_395_;
-            if _e157 {
-                let _e236 = (_e142 < arrayLength((&global_8.member)));
-                if _e236 {
-                    if _e157 {
+            let _e302 = phi_594_;
+            if _e164 {
+                let _e303 = (_e149 < arrayLength((&global_8.member)));
+                if _e303 {
+                    if _e164 {
                     } else {
                         break;
                     }
-                    let _e246 = global_7.member[_e142].member.member_2[0u];
-                    let _e248 = (bitcast<u32>(_e246) & 2147483647u);
-                    let _e254 = global_7.member[_e142].member.member_2[1u];
-                    let _e256 = (bitcast<u32>(_e254) & 2147483647u);
-                    let _e262 = global_7.member[_e142].member.member_2[2u];
-                    let _e264 = (bitcast<u32>(_e262) & 2147483647u);
-                    let _e270 = global_7.member[_e142].member.member[0u];
-                    let _e272 = (bitcast<u32>(_e270) & 2147483647u);
-                    let _e278 = global_7.member[_e142].member.member[1u];
-                    let _e280 = (bitcast<u32>(_e278) & 2147483647u);
-                    let _e286 = global_7.member[_e142].member.member[2u];
-                    let _e288 = (bitcast<u32>(_e286) & 2147483647u);
-                    let _e290 = select(_e256, _e248, (_e256 < _e248));
-                    let _e292 = select(_e264, _e290, (_e264 < _e290));
-                    let _e294 = select(_e272, _e292, (_e272 < _e292));
-                    let _e296 = select(_e280, _e294, (_e280 < _e294));
-                    let _e298 = select(_e288, _e296, (_e288 < _e296));
-                    let _e303 = global_7.member[_e142].member.member_1;
-                    let _e305 = (bitcast<u32>(_e303) & 2147483647u);
-                    let _e313 = global_7.member[_e142].member.member_3;
-                    let _e319 = (((select(_e305, _e298, (_e305 < _e298)) < 2139095040u) && ((bitcast<u32>(_e313) & 2147483647u) <= 2139095040u)) && (_e292 > 0u));
-                    if _e319 {
-                        let _e322 = (bitcast<u32>(bitcast<f32>(_e292)) & 2147483647u);
-                        if (_e322 >= 8388608u) {
-                            phi_501_ = (bitcast<i32>((_e322 >> bitcast<u32>(23i))) - 127i);
+                    let _e313 = global_7.member[_e149].member.member_2[0u];
+                    let _e315 = (bitcast<u32>(_e313) & 2147483647u);
+                    let _e321 = global_7.member[_e149].member.member_2[1u];
+                    let _e323 = (bitcast<u32>(_e321) & 2147483647u);
+                    let _e329 = global_7.member[_e149].member.member_2[2u];
+                    let _e331 = (bitcast<u32>(_e329) & 2147483647u);
+                    let _e337 = global_7.member[_e149].member.member[0u];
+                    let _e339 = (bitcast<u32>(_e337) & 2147483647u);
+                    let _e345 = global_7.member[_e149].member.member[1u];
+                    let _e347 = (bitcast<u32>(_e345) & 2147483647u);
+                    let _e353 = global_7.member[_e149].member.member[2u];
+                    let _e355 = (bitcast<u32>(_e353) & 2147483647u);
+                    let _e357 = select(_e323, _e315, (_e323 < _e315));
+                    let _e359 = select(_e331, _e357, (_e331 < _e357));
+                    let _e361 = select(_e339, _e359, (_e339 < _e359));
+                    let _e363 = select(_e347, _e361, (_e347 < _e361));
+                    let _e365 = select(_e355, _e363, (_e355 < _e363));
+                    let _e370 = global_7.member[_e149].member.member_1;
+                    let _e371 = bitcast<u32>(_e370);
+                    let _e372 = (_e371 & 2147483647u);
+                    let _e380 = global_7.member[_e149].member.member_3;
+                    let _e381 = bitcast<u32>(_e380);
+                    let _e382 = (_e381 & 2147483647u);
+                    let _e386 = (((select(_e372, _e365, (_e372 < _e365)) < 2139095040u) && (_e382 <= 2139095040u)) && (_e359 > 0u));
+                    if _e386 {
+                        let _e389 = (bitcast<u32>(bitcast<f32>(_e359)) & 2147483647u);
+                        if (_e389 >= 8388608u) {
+                            phi_700_ = (bitcast<i32>((_e389 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_501_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e322)), 32u, (_e322 == 0u))));
+                            phi_700_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e389)), 32u, (_e389 == 0u))));
                         }
-                        let _e336 = phi_501_;
-                        phi_502_ = _e336;
+                        let _e403 = phi_700_;
+                        phi_701_ = _e403;
                     } else {
-                        phi_502_ = 0i;
+                        phi_701_ = 0i;
                     }
-                    let _e338 = phi_502_;
-                    let _e339 = (_e248 == _e292);
-                    if _e339 {
-                        phi_512_ = true;
+                    let _e405 = phi_701_;
+                    let _e406 = (_e315 == _e359);
+                    if _e406 {
+                        phi_711_ = true;
                     } else {
-                        phi_512_ = (_e256 == _e292);
+                        phi_711_ = (_e323 == _e359);
                     }
-                    let _e342 = phi_512_;
-                    let _e343 = select(1u, 0u, _e339);
-                    if _e342 {
-                        let _e344 = (_e343 + 1u);
-                        phi_522_ = _e344;
-                        phi_523_ = _e344;
-                        phi_525_ = select(true, false, (_e344 == 2u));
+                    let _e409 = phi_711_;
+                    let _e410 = select(1u, 0u, _e406);
+                    if _e409 {
+                        let _e411 = (_e410 + 1u);
+                        phi_721_ = _e411;
+                        phi_722_ = _e411;
+                        phi_724_ = select(true, false, (_e411 == 2u));
                     } else {
-                        phi_522_ = u32();
-                        phi_523_ = 0u;
-                        phi_525_ = true;
+                        phi_721_ = u32();
+                        phi_722_ = 0u;
+                        phi_724_ = true;
                     }
-                    let _e348 = phi_522_;
-                    let _e350 = phi_523_;
-                    let _e352 = phi_525_;
-                    if _e352 {
-                        phi_530_ = (_e350 + 1u);
+                    let _e415 = phi_721_;
+                    let _e417 = phi_722_;
+                    let _e419 = phi_724_;
+                    if _e419 {
+                        phi_729_ = (_e417 + 1u);
                     } else {
-                        phi_530_ = 0u;
+                        phi_729_ = 0u;
                     }
-                    let _e356 = phi_530_;
-                    let _e357 = select(_e348, _e350, _e352);
-                    let _e358 = select(_e343, select(2u, _e343, _e342), _e352);
-                    let _e359 = -(_e338);
-                    if (_e359 < -126i) {
-                        phi_562_ = -126i;
+                    let _e423 = phi_729_;
+                    let _e424 = select(_e415, _e417, _e419);
+                    let _e425 = select(_e410, select(2u, _e410, _e409), _e419);
+                    let _e426 = -(_e405);
+                    if (_e426 < -126i) {
+                        phi_761_ = -126i;
                     } else {
-                        phi_562_ = select(_e359, 127i, (_e359 > 127i));
+                        phi_761_ = select(_e426, 127i, (_e426 > 127i));
                     }
-                    let _e364 = phi_562_;
-                    let _e369 = bitcast<f32>((bitcast<u32>((_e364 + 127i)) << bitcast<u32>(23i)));
-                    let _e375 = bitcast<f32>((bitcast<u32>(((_e359 - _e364) + 127i)) << bitcast<u32>(23i)));
-                    let _e380 = global_7.member[_e142].member.member;
-                    let _e381 = (_e357 == 0u);
-                    if _e381 {
-                        phi_580_ = _e380[0];
+                    let _e431 = phi_761_;
+                    let _e436 = bitcast<f32>((bitcast<u32>((_e431 + 127i)) << bitcast<u32>(23i)));
+                    let _e442 = bitcast<f32>((bitcast<u32>(((_e426 - _e431) + 127i)) << bitcast<u32>(23i)));
+                    let _e447 = global_7.member[_e149].member.member;
+                    let _e448 = (_e424 == 0u);
+                    if _e448 {
+                        phi_779_ = _e447[0];
                     } else {
-                        phi_580_ = _e380[1];
+                        phi_779_ = _e447[1];
                     }
-                    let _e385 = phi_580_;
-                    let _e386 = (_e357 == 2u);
-                    if _e386 {
-                        phi_586_ = _e380[2];
+                    let _e452 = phi_779_;
+                    let _e453 = (_e424 == 2u);
+                    if _e453 {
+                        phi_785_ = _e447[2];
                     } else {
-                        phi_586_ = _e385;
+                        phi_785_ = _e452;
                     }
-                    let _e389 = phi_586_;
-                    let _e390 = global_7.member[_e142].member.member_2;
-                    if _e381 {
-                        phi_597_ = _e390[0];
+                    let _e456 = phi_785_;
+                    let _e457 = bitcast<u32>(_e456);
+                    let _e459 = ((_e457 & 2139095040u) != 0u);
+                    let _e471 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e457 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e457 & 2147483648u))), _e456, _e459) * select(0.00000011920929f, 1f, _e459));
+                    let _e472 = global_7.member[_e149].member.member_2;
+                    if _e448 {
+                        phi_825_ = _e472[0];
                     } else {
-                        phi_597_ = _e390[1];
+                        phi_825_ = _e472[1];
                     }
-                    let _e394 = phi_597_;
-                    if _e386 {
-                        phi_603_ = _e390[2];
+                    let _e476 = phi_825_;
+                    if _e453 {
+                        phi_831_ = _e472[2];
                     } else {
-                        phi_603_ = _e394;
+                        phi_831_ = _e476;
                     }
-                    let _e397 = phi_603_;
-                    let _e399 = ((_e397 * _e369) * _e375);
-                    let _e403 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e403 {
-                        let _e407 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) * 0.00000011920929f);
-                        phi_626_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
+                    let _e479 = phi_831_;
+                    let _e480 = bitcast<u32>(_e479);
+                    let _e482 = ((_e480 & 2139095040u) != 0u);
+                    let _e496 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e480 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e480 & 2147483648u))), _e479, _e482) * _e436) * select(0.00000011920929f, 1f, _e482)) * _e442);
+                    let _e500 = (bitcast<f32>((bitcast<u32>(_e496) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e500 {
+                        let _e504 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) * 0.00000011920929f);
+                        phi_883_ = select(0.00000000000011368684f, _e504, (_e504 > 0.00000000000011368684f));
                     } else {
-                        phi_626_ = 0f;
+                        phi_883_ = 0f;
                     }
-                    let _e411 = phi_626_;
-                    let _e412 = (_e389 + _e411);
-                    let _e413 = (_e389 - _e411);
-                    let _e414 = select(_e399, 0f, _e403);
-                    if _e403 {
-                        phi_637_ = 38685626000000000000000000f;
+                    let _e508 = phi_883_;
+                    let _e509 = (_e471 + _e508);
+                    let _e510 = (_e471 - _e508);
+                    let _e511 = select(_e496, 0f, _e500);
+                    if _e500 {
+                        phi_894_ = 38685626000000000000000000f;
                     } else {
-                        phi_637_ = (1f / _e399);
+                        phi_894_ = (1f / _e496);
                     }
-                    let _e417 = phi_637_;
-                    let _e418 = (_e356 == 0u);
-                    if _e418 {
-                        phi_646_ = _e380[0];
+                    let _e514 = phi_894_;
+                    let _e515 = (_e423 == 0u);
+                    if _e515 {
+                        phi_903_ = _e447[0];
                     } else {
-                        phi_646_ = _e380[1];
+                        phi_903_ = _e447[1];
                     }
-                    let _e422 = phi_646_;
-                    let _e423 = (_e356 == 2u);
-                    if _e423 {
-                        phi_652_ = _e380[2];
+                    let _e519 = phi_903_;
+                    let _e520 = (_e423 == 2u);
+                    if _e520 {
+                        phi_909_ = _e447[2];
                     } else {
-                        phi_652_ = _e422;
+                        phi_909_ = _e519;
                     }
-                    let _e426 = phi_652_;
-                    if _e418 {
-                        phi_663_ = _e390[0];
+                    let _e523 = phi_909_;
+                    let _e524 = bitcast<u32>(_e523);
+                    let _e526 = ((_e524 & 2139095040u) != 0u);
+                    let _e538 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e524 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e524 & 2147483648u))), _e523, _e526) * select(0.00000011920929f, 1f, _e526));
+                    if _e515 {
+                        phi_949_ = _e472[0];
                     } else {
-                        phi_663_ = _e390[1];
+                        phi_949_ = _e472[1];
                     }
-                    let _e430 = phi_663_;
-                    if _e423 {
-                        phi_669_ = _e390[2];
+                    let _e542 = phi_949_;
+                    if _e520 {
+                        phi_955_ = _e472[2];
                     } else {
-                        phi_669_ = _e430;
+                        phi_955_ = _e542;
                     }
-                    let _e433 = phi_669_;
-                    let _e435 = ((_e433 * _e369) * _e375);
-                    let _e439 = (bitcast<f32>((bitcast<u32>(_e435) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e439 {
-                        let _e443 = (bitcast<f32>((bitcast<u32>(_e426) & 2147483647u)) * 0.00000011920929f);
-                        phi_692_ = select(0.00000000000011368684f, _e443, (_e443 > 0.00000000000011368684f));
+                    let _e545 = phi_955_;
+                    let _e546 = bitcast<u32>(_e545);
+                    let _e548 = ((_e546 & 2139095040u) != 0u);
+                    let _e562 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e546 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e546 & 2147483648u))), _e545, _e548) * _e436) * select(0.00000011920929f, 1f, _e548)) * _e442);
+                    let _e566 = (bitcast<f32>((bitcast<u32>(_e562) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e566 {
+                        let _e570 = (bitcast<f32>((bitcast<u32>(_e538) & 2147483647u)) * 0.00000011920929f);
+                        phi_1007_ = select(0.00000000000011368684f, _e570, (_e570 > 0.00000000000011368684f));
                     } else {
-                        phi_692_ = 0f;
+                        phi_1007_ = 0f;
                     }
-                    let _e447 = phi_692_;
-                    let _e448 = (_e426 + _e447);
-                    let _e449 = (_e426 - _e447);
-                    let _e450 = select(_e435, 0f, _e439);
-                    if _e439 {
-                        phi_703_ = 38685626000000000000000000f;
+                    let _e574 = phi_1007_;
+                    let _e575 = (_e538 + _e574);
+                    let _e576 = (_e538 - _e574);
+                    let _e577 = select(_e562, 0f, _e566);
+                    if _e566 {
+                        phi_1018_ = 38685626000000000000000000f;
                     } else {
-                        phi_703_ = (1f / _e435);
+                        phi_1018_ = (1f / _e562);
                     }
-                    let _e453 = phi_703_;
-                    let _e454 = (_e358 == 0u);
-                    if _e454 {
-                        phi_712_ = _e380[0];
+                    let _e580 = phi_1018_;
+                    let _e581 = (_e425 == 0u);
+                    if _e581 {
+                        phi_1027_ = _e447[0];
                     } else {
-                        phi_712_ = _e380[1];
+                        phi_1027_ = _e447[1];
                     }
-                    let _e458 = phi_712_;
-                    let _e459 = (_e358 == 2u);
-                    if _e459 {
-                        phi_718_ = _e380[2];
+                    let _e585 = phi_1027_;
+                    let _e586 = (_e425 == 2u);
+                    if _e586 {
+                        phi_1033_ = _e447[2];
                     } else {
-                        phi_718_ = _e458;
+                        phi_1033_ = _e585;
                     }
-                    let _e462 = phi_718_;
-                    if _e454 {
-                        phi_729_ = _e390[0];
+                    let _e589 = phi_1033_;
+                    let _e590 = bitcast<u32>(_e589);
+                    let _e592 = ((_e590 & 2139095040u) != 0u);
+                    let _e604 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e590 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e590 & 2147483648u))), _e589, _e592) * select(0.00000011920929f, 1f, _e592));
+                    if _e581 {
+                        phi_1073_ = _e472[0];
                     } else {
-                        phi_729_ = _e390[1];
+                        phi_1073_ = _e472[1];
                     }
-                    let _e466 = phi_729_;
-                    if _e459 {
-                        phi_735_ = _e390[2];
+                    let _e608 = phi_1073_;
+                    if _e586 {
+                        phi_1079_ = _e472[2];
                     } else {
-                        phi_735_ = _e466;
+                        phi_1079_ = _e608;
                     }
-                    let _e469 = phi_735_;
-                    let _e471 = ((_e469 * _e369) * _e375);
-                    let _e475 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e475 {
-                        let _e479 = (bitcast<f32>((bitcast<u32>(_e462) & 2147483647u)) * 0.00000011920929f);
-                        phi_758_ = select(0.00000000000011368684f, _e479, (_e479 > 0.00000000000011368684f));
+                    let _e611 = phi_1079_;
+                    let _e612 = bitcast<u32>(_e611);
+                    let _e614 = ((_e612 & 2139095040u) != 0u);
+                    let _e628 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e612 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e612 & 2147483648u))), _e611, _e614) * _e436) * select(0.00000011920929f, 1f, _e614)) * _e442);
+                    let _e632 = (bitcast<f32>((bitcast<u32>(_e628) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e632 {
+                        let _e636 = (bitcast<f32>((bitcast<u32>(_e604) & 2147483647u)) * 0.00000011920929f);
+                        phi_1131_ = select(0.00000000000011368684f, _e636, (_e636 > 0.00000000000011368684f));
                     } else {
-                        phi_758_ = 0f;
+                        phi_1131_ = 0f;
                     }
-                    let _e483 = phi_758_;
-                    let _e484 = (_e462 + _e483);
-                    let _e485 = (_e462 - _e483);
-                    let _e486 = select(_e471, 0f, _e475);
-                    if _e475 {
-                        phi_769_ = 38685626000000000000000000f;
+                    let _e640 = phi_1131_;
+                    let _e641 = (_e604 + _e640);
+                    let _e642 = (_e604 - _e640);
+                    let _e643 = select(_e628, 0f, _e632);
+                    if _e632 {
+                        phi_1142_ = 38685626000000000000000000f;
                     } else {
-                        phi_769_ = (1f / _e471);
+                        phi_1142_ = (1f / _e628);
                     }
-                    let _e489 = phi_769_;
-                    let _e492 = bitcast<f32>((bitcast<u32>(_e389) & 2147483647u));
-                    let _e495 = bitcast<f32>((bitcast<u32>(_e426) & 2147483647u));
-                    let _e497 = select(_e495, _e492, (_e492 > _e495));
-                    let _e500 = bitcast<f32>((bitcast<u32>(_e462) & 2147483647u));
-                    if (_e319 && (select(_e500, _e497, (_e497 > _e500)) <= 1099511600000f)) {
-                        let _e505 = (_e338 / 3i);
-                        let _e512 = bitcast<f32>((bitcast<u32>((_e505 + 127i)) << bitcast<u32>(23i)));
-                        let _e519 = bitcast<f32>((bitcast<u32>(((_e338 - (2i * _e505)) + 127i)) << bitcast<u32>(23i)));
-                        let _e520 = (((_e303 * _e512) * _e512) * _e519);
-                        let _e522 = select(340282350000000000000000000000000000000f, _e520, (_e520 < 340282350000000000000000000000000000000f));
-                        let _e527 = (((_e313 * _e512) * _e512) * _e519);
-                        let _e529 = select(340282350000000000000000000000000000000f, _e527, (_e527 < 340282350000000000000000000000000000000f));
-                        phi_869_ = select(-340282350000000000000000000000000000000f, _e529, (_e529 > -340282350000000000000000000000000000000f));
-                        phi_870_ = select(-340282350000000000000000000000000000000f, _e522, (_e522 > -340282350000000000000000000000000000000f));
+                    let _e646 = phi_1142_;
+                    let _e649 = bitcast<f32>((bitcast<u32>(_e471) & 2147483647u));
+                    let _e652 = bitcast<f32>((bitcast<u32>(_e538) & 2147483647u));
+                    let _e654 = select(_e652, _e649, (_e649 > _e652));
+                    let _e657 = bitcast<f32>((bitcast<u32>(_e604) & 2147483647u));
+                    if (_e386 && (select(_e657, _e654, (_e654 > _e657)) <= 1099511600000f)) {
+                        let _e669 = ((_e372 & 8388607u) | (select(0u, 1u, ((_e372 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e672 = bitcast<i32>((_e372 >> bitcast<u32>(23i)));
+                        let _e676 = (_e669 == 0u);
+                        let _e679 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e669)), 32u, _e676)) - 8i);
+                        if (_e672 == 255i) {
+                            phi_1197_ = 255i;
+                        } else {
+                            phi_1197_ = (((_e672 + select(0i, 1i, (_e672 == 0i))) - _e679) + _e405);
+                        }
+                        let _e687 = phi_1197_;
+                        let _e697 = (_e687 <= 0i);
+                        if _e697 {
+                            phi_1220_ = u32();
+                        } else {
+                            if _e676 {
+                                phi_1219_ = u32();
+                            } else {
+                                phi_1219_ = select(((bitcast<u32>(_e687) << bitcast<u32>(23i)) | ((_e669 << bitcast<u32>(((_e679 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e687 >= 255i));
+                            }
+                            let _e701 = phi_1219_;
+                            phi_1220_ = _e701;
+                        }
+                        let _e703 = phi_1220_;
+                        let _e715 = ((_e382 & 8388607u) | (select(0u, 1u, ((_e382 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e718 = bitcast<i32>((_e382 >> bitcast<u32>(23i)));
+                        let _e722 = (_e715 == 0u);
+                        let _e725 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e715)), 32u, _e722)) - 8i);
+                        if (_e718 == 255i) {
+                            phi_1257_ = 255i;
+                        } else {
+                            phi_1257_ = (((_e718 + select(0i, 1i, (_e718 == 0i))) - _e725) + _e405);
+                        }
+                        let _e733 = phi_1257_;
+                        let _e743 = (_e733 <= 0i);
+                        if _e743 {
+                            phi_1280_ = u32();
+                        } else {
+                            if _e722 {
+                                phi_1279_ = u32();
+                            } else {
+                                phi_1279_ = select(((bitcast<u32>(_e733) << bitcast<u32>(23i)) | ((_e715 << bitcast<u32>(((_e725 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e733 >= 255i));
+                            }
+                            let _e747 = phi_1279_;
+                            phi_1280_ = _e747;
+                        }
+                        let _e749 = phi_1280_;
+                        phi_1288_ = bitcast<f32>(((_e381 & 2147483648u) | select(_e749, 0u, select(_e722, true, _e743))));
+                        phi_1289_ = bitcast<f32>(((_e371 & 2147483648u) | select(_e703, 0u, select(_e676, true, _e697))));
                     } else {
-                        phi_869_ = 0f;
-                        phi_870_ = 1f;
+                        phi_1288_ = 0f;
+                        phi_1289_ = 1f;
                     }
-                    let _e533 = phi_869_;
-                    let _e535 = phi_870_;
+                    let _e755 = phi_1288_;
+                    let _e757 = phi_1289_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -574,1102 +662,1201 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e539 = (_e357 % 3u);
-                    let _e540 = (_e539 < 3u);
-                    if _e540 {
+                    let _e761 = (_e424 % 3u);
+                    let _e762 = (_e761 < 3u);
+                    if _e762 {
                     } else {
                         break;
                     }
-                    let _e542 = local_1[_e539];
-                    let _e545 = (_e356 % 3u);
-                    let _e546 = (_e545 < 3u);
-                    if _e546 {
+                    let _e764 = local_1[_e761];
+                    let _e767 = (_e423 % 3u);
+                    let _e768 = (_e767 < 3u);
+                    if _e768 {
                     } else {
                         break;
                     }
-                    let _e548 = local_1[_e545];
-                    let _e551 = (_e358 % 3u);
-                    let _e552 = (_e551 < 3u);
-                    if _e552 {
+                    let _e770 = local_1[_e767];
+                    let _e773 = (_e425 % 3u);
+                    let _e774 = (_e773 < 3u);
+                    if _e774 {
                     } else {
                         break;
                     }
-                    let _e554 = local_1[_e551];
-                    if _e540 {
+                    let _e776 = local_1[_e773];
+                    if _e762 {
                     } else {
                         break;
                     }
-                    let _e559 = local[_e539];
-                    if _e546 {
+                    let _e781 = local[_e761];
+                    if _e768 {
                     } else {
                         break;
                     }
-                    let _e563 = local[_e545];
-                    if _e552 {
+                    let _e785 = local[_e767];
+                    if _e774 {
                     } else {
                         break;
                     }
-                    let _e567 = local[_e551];
-                    phi_3968_ = false;
-                    phi_959_ = type_43(type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e533);
-                    phi_962_ = type_62(type_38(vec4<f32>((f32(_e542) * _e154), (f32(_e548) * _e154), (f32(_e554) * _e154), 0f), vec4<f32>((f32(_e559) * _e154), (f32(_e563) * _e154), (f32(_e567) * _e154), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
-                    phi_964_ = ((3u * _e96) + 1u);
-                    phi_966_ = (_e535 <= _e533);
-                    phi_968_ = 0u;
+                    let _e789 = local[_e773];
+                    phi_4493_ = false;
+                    phi_1378_ = type_43(type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e755);
+                    phi_1381_ = type_62(type_38(vec4<f32>((f32(_e764) * _e161), (f32(_e770) * _e161), (f32(_e776) * _e161), 0f), vec4<f32>((f32(_e781) * _e161), (f32(_e785) * _e161), (f32(_e789) * _e161), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
+                    phi_1383_ = ((3u * _e103) + 1u);
+                    phi_1385_ = (_e757 <= _e755);
+                    phi_1387_ = 0u;
                     loop {
-                        let _e577 = phi_3968_;
-                        let _e579 = phi_959_;
-                        let _e581 = phi_962_;
-                        let _e583 = phi_964_;
-                        let _e585 = phi_966_;
-                        let _e587 = phi_968_;
-                        local_10 = _e579;
-                        if _e585 {
-                            phi_979_ = true;
+                        let _e799 = phi_4493_;
+                        let _e801 = phi_1378_;
+                        let _e803 = phi_1381_;
+                        let _e805 = phi_1383_;
+                        let _e807 = phi_1385_;
+                        let _e809 = phi_1387_;
+                        local_10 = _e801;
+                        if _e807 {
+                            phi_1398_ = true;
                         } else {
-                            phi_979_ = (_e587 > 0u);
+                            phi_1398_ = (_e809 > 0u);
                         }
-                        let _e590 = phi_979_;
-                        if _e590 {
-                            let _e591 = (_e583 > 0u);
-                            if _e591 {
-                                if _e585 {
-                                    phi_1065_ = _e581;
-                                    phi_1066_ = _e585;
-                                    phi_1067_ = _e587;
+                        let _e812 = phi_1398_;
+                        if _e812 {
+                            let _e813 = (_e805 > 0u);
+                            if _e813 {
+                                if _e807 {
+                                    phi_1484_ = _e803;
+                                    phi_1485_ = _e807;
+                                    phi_1486_ = _e809;
                                 } else {
-                                    let _e592 = (_e587 - 1u);
-                                    let _e593 = (_e592 % 128u);
-                                    let _e594 = (_e593 < 128u);
-                                    if _e594 {
+                                    let _e814 = (_e809 - 1u);
+                                    let _e815 = (_e814 % 128u);
+                                    let _e816 = (_e815 < 128u);
+                                    if _e816 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e596 = local_7[_e593];
-                                    if _e594 {
+                                    let _e818 = local_7[_e815];
+                                    if _e816 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e598 = local_6[_e593];
-                                    if _e594 {
+                                    let _e820 = local_6[_e815];
+                                    if _e816 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e600 = local_5[_e593];
-                                    if _e594 {
+                                    let _e822 = local_5[_e815];
+                                    if _e816 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e602 = local_4[_e593];
-                                    if _e594 {
+                                    let _e824 = local_4[_e815];
+                                    if _e816 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e604 = local_3[_e593];
-                                    if _e594 {
+                                    let _e826 = local_3[_e815];
+                                    if _e816 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e606 = local_2[_e593];
-                                    if _e594 {
+                                    let _e828 = local_2[_e815];
+                                    if _e816 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e611 = local_8[_e593];
-                                    if _e594 {
+                                    let _e833 = local_8[_e815];
+                                    if _e816 {
                                     } else {
-                                        phi_4128_ = true;
+                                        phi_4679_ = true;
                                         break;
                                     }
-                                    let _e614 = local_9[_e593];
-                                    phi_1065_ = type_62(type_38(vec4<f32>(_e596, _e598, _e600, 0f), vec4<f32>(_e602, _e604, _e606, 0f)), _e611);
-                                    phi_1066_ = (_e614 <= _e579.member_1);
-                                    phi_1067_ = _e592;
+                                    let _e836 = local_9[_e815];
+                                    phi_1484_ = type_62(type_38(vec4<f32>(_e818, _e820, _e822, 0f), vec4<f32>(_e824, _e826, _e828, 0f)), _e833);
+                                    phi_1485_ = (_e836 <= _e801.member_1);
+                                    phi_1486_ = _e814;
                                 }
-                                let _e618 = phi_1065_;
-                                let _e620 = phi_1066_;
-                                let _e622 = phi_1067_;
-                                if _e620 {
-                                    if ((_e618.member_1 & 2147483648u) != 0u) {
-                                        phi_1085_ = _e579;
-                                        phi_1088_ = type_8(0u, ((_e618.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e840 = phi_1484_;
+                                let _e842 = phi_1485_;
+                                let _e844 = phi_1486_;
+                                if _e842 {
+                                    if ((_e840.member_1 & 2147483648u) != 0u) {
+                                        phi_1504_ = _e801;
+                                        phi_1507_ = type_8(0u, ((_e840.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1084 = phi_1085_;
-                                            let _e1086 = phi_1088_;
-                                            local_11 = _e1084;
-                                            if (_e1086.member < _e1086.member_1) {
-                                                phi_1089_ = type_8((_e1086.member + 1u), _e1086.member_1);
-                                                phi_1111_ = type_8(1u, _e1086.member);
+                                            let _e1312 = phi_1504_;
+                                            let _e1314 = phi_1507_;
+                                            local_11 = _e1312;
+                                            if (_e1314.member < _e1314.member_1) {
+                                                phi_1508_ = type_8((_e1314.member + 1u), _e1314.member_1);
+                                                phi_1530_ = type_8(1u, _e1314.member);
                                             } else {
-                                                phi_1089_ = _e1086;
-                                                phi_1111_ = type_8(0u, type_8().member_1);
+                                                phi_1508_ = _e1314;
+                                                phi_1530_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1099 = phi_1089_;
-                                            let _e1101 = phi_1111_;
-                                            let _e1105 = (bitcast<i32>(_e1101.member) != 0i);
-                                            if _e1105 {
-                                                let _e1106 = ((_e618.member_1 & 268435455u) + _e1101.member_1);
-                                                let _e1107 = (_e1106 < _e98);
-                                                if _e1107 {
-                                                    if _e1107 {
+                                            let _e1327 = phi_1508_;
+                                            let _e1329 = phi_1530_;
+                                            let _e1333 = (bitcast<i32>(_e1329.member) != 0i);
+                                            if _e1333 {
+                                                let _e1334 = ((_e840.member_1 & 268435455u) + _e1329.member_1);
+                                                let _e1335 = (_e1334 < _e105);
+                                                if _e1335 {
+                                                    if _e1335 {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1111 = global_4.member[_e1106].member_1;
-                                                    phi_1132_ = _e1111;
+                                                    let _e1339 = global_4.member[_e1334].member_1;
+                                                    phi_1551_ = _e1339;
                                                 } else {
-                                                    phi_1132_ = 4294967295u;
+                                                    phi_1551_ = 4294967295u;
                                                 }
-                                                let _e1113 = phi_1132_;
-                                                if (_e1106 >= _e98) {
-                                                    phi_1221_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1341 = phi_1551_;
+                                                if (_e1334 >= _e105) {
+                                                    phi_1640_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1107 {
+                                                    if _e1335 {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    if (_e539 < 9u) {
+                                                    if (_e761 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1120 = global_4.member[_e1106].member[_e539];
-                                                    if (_e545 < 9u) {
+                                                    let _e1348 = global_4.member[_e1334].member[_e761];
+                                                    if (_e767 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1126 = global_4.member[_e1106].member[_e545];
-                                                    if (_e551 < 9u) {
+                                                    let _e1354 = global_4.member[_e1334].member[_e767];
+                                                    if (_e773 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1132 = global_4.member[_e1106].member[_e551];
-                                                    let _e1134 = (3u + _e539);
-                                                    if (_e1134 < 9u) {
+                                                    let _e1360 = global_4.member[_e1334].member[_e773];
+                                                    let _e1362 = (3u + _e761);
+                                                    if (_e1362 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1140 = global_4.member[_e1106].member[_e1134];
-                                                    let _e1141 = (3u + _e545);
-                                                    if (_e1141 < 9u) {
+                                                    let _e1368 = global_4.member[_e1334].member[_e1362];
+                                                    let _e1369 = (3u + _e767);
+                                                    if (_e1369 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1147 = global_4.member[_e1106].member[_e1141];
-                                                    let _e1148 = (3u + _e551);
-                                                    if (_e1148 < 9u) {
+                                                    let _e1375 = global_4.member[_e1334].member[_e1369];
+                                                    let _e1376 = (3u + _e773);
+                                                    if (_e1376 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1154 = global_4.member[_e1106].member[_e1148];
-                                                    let _e1156 = (6u + _e539);
-                                                    if (_e1156 < 9u) {
+                                                    let _e1382 = global_4.member[_e1334].member[_e1376];
+                                                    let _e1384 = (6u + _e761);
+                                                    if (_e1384 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1162 = global_4.member[_e1106].member[_e1156];
-                                                    let _e1163 = (6u + _e545);
-                                                    if (_e1163 < 9u) {
+                                                    let _e1390 = global_4.member[_e1334].member[_e1384];
+                                                    let _e1391 = (6u + _e767);
+                                                    if (_e1391 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1169 = global_4.member[_e1106].member[_e1163];
-                                                    let _e1170 = (6u + _e551);
-                                                    if (_e1170 < 9u) {
+                                                    let _e1397 = global_4.member[_e1334].member[_e1391];
+                                                    let _e1398 = (6u + _e773);
+                                                    if (_e1398 < 9u) {
                                                     } else {
-                                                        phi_3962_ = true;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e1176 = global_4.member[_e1106].member[_e1170];
-                                                    phi_1221_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1120, _e1126, _e1132), array<f32, 3>(_e1140, _e1147, _e1154), array<f32, 3>(_e1162, _e1169, _e1176));
+                                                    let _e1404 = global_4.member[_e1334].member[_e1398];
+                                                    phi_1640_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1348, _e1354, _e1360), array<f32, 3>(_e1368, _e1375, _e1382), array<f32, 3>(_e1390, _e1397, _e1404));
                                                 }
-                                                let _e1180 = phi_1221_;
-                                                let _e1188 = (_e1180[0][2] - _e462);
-                                                let _e1191 = (((_e1180[0][0] - _e389) * _e486) - (_e1188 * _e414));
-                                                let _e1194 = (((_e1180[0][1] - _e426) * _e486) - (_e1188 * _e450));
-                                                let _e1201 = (_e1180[1][2] - _e462);
-                                                let _e1204 = (((_e1180[1][0] - _e389) * _e486) - (_e1201 * _e414));
-                                                let _e1207 = (((_e1180[1][1] - _e426) * _e486) - (_e1201 * _e450));
-                                                let _e1214 = (_e1180[2][2] - _e462);
-                                                let _e1217 = (((_e1180[2][0] - _e389) * _e486) - (_e1214 * _e414));
-                                                let _e1220 = (((_e1180[2][1] - _e426) * _e486) - (_e1214 * _e450));
-                                                let _e1221 = (_e1217 * _e1207);
-                                                let _e1222 = (_e1220 * _e1204);
-                                                let _e1223 = (_e1191 * _e1220);
-                                                let _e1224 = (_e1194 * _e1217);
-                                                let _e1225 = (_e1204 * _e1194);
-                                                let _e1226 = (_e1207 * _e1191);
-                                                let _e1231 = (((_e1221 >= _e1222) && (_e1223 >= _e1224)) && (_e1225 >= _e1226));
-                                                if (_e1231 || (((_e1221 <= _e1222) && (_e1223 <= _e1224)) && (_e1225 <= _e1226))) {
-                                                    let _e1238 = select(-1f, 1f, _e1231);
-                                                    let _e1240 = ((_e1221 - _e1222) * _e1238);
-                                                    let _e1242 = select(0f, _e1240, (_e1240 > 0f));
-                                                    let _e1244 = ((_e1223 - _e1224) * _e1238);
-                                                    let _e1246 = select(0f, _e1244, (_e1244 > 0f));
-                                                    let _e1248 = ((_e1225 - _e1226) * _e1238);
-                                                    let _e1250 = select(0f, _e1248, (_e1248 > 0f));
-                                                    let _e1252 = ((_e1242 + _e1246) + _e1250);
-                                                    if (_e1252 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2046_ = type_26();
-                                                        phi_2047_ = true;
-                                                        phi_2048_ = false;
+                                                let _e1408 = phi_1640_;
+                                                let _e1416 = (_e1408[0][2] - _e604);
+                                                let _e1419 = (((_e1408[0][0] - _e471) * _e643) - (_e1416 * _e511));
+                                                let _e1422 = (((_e1408[0][1] - _e538) * _e643) - (_e1416 * _e577));
+                                                let _e1429 = (_e1408[1][2] - _e604);
+                                                let _e1432 = (((_e1408[1][0] - _e471) * _e643) - (_e1429 * _e511));
+                                                let _e1435 = (((_e1408[1][1] - _e538) * _e643) - (_e1429 * _e577));
+                                                let _e1442 = (_e1408[2][2] - _e604);
+                                                let _e1445 = (((_e1408[2][0] - _e471) * _e643) - (_e1442 * _e511));
+                                                let _e1448 = (((_e1408[2][1] - _e538) * _e643) - (_e1442 * _e577));
+                                                let _e1449 = (_e1445 * _e1435);
+                                                let _e1450 = (_e1448 * _e1432);
+                                                let _e1451 = (_e1419 * _e1448);
+                                                let _e1452 = (_e1422 * _e1445);
+                                                let _e1453 = (_e1432 * _e1422);
+                                                let _e1454 = (_e1435 * _e1419);
+                                                let _e1459 = (((_e1449 >= _e1450) && (_e1451 >= _e1452)) && (_e1453 >= _e1454));
+                                                if (_e1459 || (((_e1449 <= _e1450) && (_e1451 <= _e1452)) && (_e1453 <= _e1454))) {
+                                                    let _e1466 = select(-1f, 1f, _e1459);
+                                                    let _e1468 = ((_e1449 - _e1450) * _e1466);
+                                                    let _e1470 = select(0f, _e1468, (_e1468 > 0f));
+                                                    let _e1472 = ((_e1451 - _e1452) * _e1466);
+                                                    let _e1474 = select(0f, _e1472, (_e1472 > 0f));
+                                                    let _e1476 = ((_e1453 - _e1454) * _e1466);
+                                                    let _e1478 = select(0f, _e1476, (_e1476 > 0f));
+                                                    let _e1480 = ((_e1470 + _e1474) + _e1478);
+                                                    if (_e1480 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2465_ = type_26();
+                                                        phi_2466_ = true;
+                                                        phi_2467_ = false;
                                                     } else {
-                                                        let _e1255 = select(_e1204, _e1191, (_e1191 < _e1204));
-                                                        if (select(_e1217, _e1255, (_e1255 < _e1217)) > 0f) {
-                                                            phi_1338_ = true;
+                                                        let _e1483 = select(_e1432, _e1419, (_e1419 < _e1432));
+                                                        if (select(_e1445, _e1483, (_e1483 < _e1445)) > 0f) {
+                                                            phi_1757_ = true;
                                                         } else {
-                                                            let _e1260 = select(_e1204, _e1191, (_e1191 > _e1204));
-                                                            phi_1338_ = (select(_e1217, _e1260, (_e1260 > _e1217)) < 0f);
+                                                            let _e1488 = select(_e1432, _e1419, (_e1419 > _e1432));
+                                                            phi_1757_ = (select(_e1445, _e1488, (_e1488 > _e1445)) < 0f);
                                                         }
-                                                        let _e1265 = phi_1338_;
-                                                        if _e1265 {
-                                                            phi_2043_ = type_26();
-                                                            phi_2044_ = true;
-                                                            phi_2045_ = false;
+                                                        let _e1493 = phi_1757_;
+                                                        if _e1493 {
+                                                            phi_2462_ = type_26();
+                                                            phi_2463_ = true;
+                                                            phi_2464_ = false;
                                                         } else {
-                                                            let _e1267 = select(_e1207, _e1194, (_e1194 < _e1207));
-                                                            if (select(_e1220, _e1267, (_e1267 < _e1220)) > 0f) {
-                                                                phi_1367_ = true;
+                                                            let _e1495 = select(_e1435, _e1422, (_e1422 < _e1435));
+                                                            if (select(_e1448, _e1495, (_e1495 < _e1448)) > 0f) {
+                                                                phi_1786_ = true;
                                                             } else {
-                                                                let _e1272 = select(_e1207, _e1194, (_e1194 > _e1207));
-                                                                phi_1367_ = (select(_e1220, _e1272, (_e1272 > _e1220)) < 0f);
+                                                                let _e1500 = select(_e1435, _e1422, (_e1422 > _e1435));
+                                                                phi_1786_ = (select(_e1448, _e1500, (_e1500 > _e1448)) < 0f);
                                                             }
-                                                            let _e1277 = phi_1367_;
-                                                            if _e1277 {
-                                                                phi_2041_ = type_26();
-                                                                phi_2042_ = false;
+                                                            let _e1505 = phi_1786_;
+                                                            if _e1505 {
+                                                                phi_2460_ = type_26();
+                                                                phi_2461_ = false;
                                                             } else {
-                                                                let _e1279 = select(_e1180[1][0], _e1180[0][0], (_e1180[0][0] < _e1180[1][0]));
-                                                                let _e1283 = select(_e1180[1][0], _e1180[0][0], (_e1180[0][0] > _e1180[1][0]));
-                                                                let _e1287 = select(_e1180[1][1], _e1180[0][1], (_e1180[0][1] < _e1180[1][1]));
-                                                                let _e1291 = select(_e1180[1][1], _e1180[0][1], (_e1180[0][1] > _e1180[1][1]));
-                                                                let _e1295 = select(_e1180[1][2], _e1180[0][2], (_e1180[0][2] < _e1180[1][2]));
-                                                                let _e1299 = select(_e1180[1][2], _e1180[0][2], (_e1180[0][2] > _e1180[1][2]));
-                                                                let _e1304 = ((select(_e1180[2][0], _e1279, (_e1279 < _e1180[2][0])) - _e412) * _e417);
-                                                                let _e1305 = ((select(_e1180[2][0], _e1283, (_e1283 > _e1180[2][0])) - _e413) * _e417);
-                                                                let _e1308 = ((select(_e1180[2][1], _e1287, (_e1287 < _e1180[2][1])) - _e448) * _e453);
-                                                                let _e1309 = ((select(_e1180[2][1], _e1291, (_e1291 > _e1180[2][1])) - _e449) * _e453);
-                                                                let _e1312 = ((select(_e1180[2][2], _e1295, (_e1295 < _e1180[2][2])) - _e484) * _e489);
-                                                                let _e1313 = ((select(_e1180[2][2], _e1299, (_e1299 > _e1180[2][2])) - _e485) * _e489);
-                                                                let _e1315 = select(_e1313, _e1312, (_e1312 < _e1313));
-                                                                let _e1317 = select(_e1313, _e1312, (_e1312 > _e1313));
-                                                                let _e1319 = select(_e1305, _e1304, (_e1304 < _e1305));
-                                                                let _e1321 = select(_e1309, _e1308, (_e1308 < _e1309));
-                                                                let _e1323 = select(_e1321, _e1319, (_e1319 > _e1321));
-                                                                let _e1325 = select(_e1315, _e1323, (_e1323 > _e1315));
-                                                                let _e1327 = select(_e1305, _e1304, (_e1304 > _e1305));
-                                                                let _e1329 = select(_e1309, _e1308, (_e1308 > _e1309));
-                                                                let _e1331 = select(_e1329, _e1327, (_e1327 < _e1329));
-                                                                let _e1333 = select(_e1317, _e1331, (_e1331 < _e1317));
-                                                                let _e1334 = -(_e1315);
-                                                                let _e1340 = select(_e535, _e1325, (_e1325 > _e535));
-                                                                if (_e1340 > (_e1333 + (select(_e1334, _e1317, (_e1317 > _e1334)) * 0.0000019073523f))) {
-                                                                    phi_2036_ = type_26();
-                                                                    phi_2037_ = true;
+                                                                let _e1507 = select(_e1408[1][0], _e1408[0][0], (_e1408[0][0] < _e1408[1][0]));
+                                                                let _e1511 = select(_e1408[1][0], _e1408[0][0], (_e1408[0][0] > _e1408[1][0]));
+                                                                let _e1515 = select(_e1408[1][1], _e1408[0][1], (_e1408[0][1] < _e1408[1][1]));
+                                                                let _e1519 = select(_e1408[1][1], _e1408[0][1], (_e1408[0][1] > _e1408[1][1]));
+                                                                let _e1523 = select(_e1408[1][2], _e1408[0][2], (_e1408[0][2] < _e1408[1][2]));
+                                                                let _e1527 = select(_e1408[1][2], _e1408[0][2], (_e1408[0][2] > _e1408[1][2]));
+                                                                let _e1532 = ((select(_e1408[2][0], _e1507, (_e1507 < _e1408[2][0])) - _e509) * _e514);
+                                                                let _e1533 = ((select(_e1408[2][0], _e1511, (_e1511 > _e1408[2][0])) - _e510) * _e514);
+                                                                let _e1536 = ((select(_e1408[2][1], _e1515, (_e1515 < _e1408[2][1])) - _e575) * _e580);
+                                                                let _e1537 = ((select(_e1408[2][1], _e1519, (_e1519 > _e1408[2][1])) - _e576) * _e580);
+                                                                let _e1540 = ((select(_e1408[2][2], _e1523, (_e1523 < _e1408[2][2])) - _e641) * _e646);
+                                                                let _e1541 = ((select(_e1408[2][2], _e1527, (_e1527 > _e1408[2][2])) - _e642) * _e646);
+                                                                let _e1543 = select(_e1541, _e1540, (_e1540 < _e1541));
+                                                                let _e1545 = select(_e1541, _e1540, (_e1540 > _e1541));
+                                                                let _e1547 = select(_e1533, _e1532, (_e1532 < _e1533));
+                                                                let _e1549 = select(_e1537, _e1536, (_e1536 < _e1537));
+                                                                let _e1551 = select(_e1549, _e1547, (_e1547 > _e1549));
+                                                                let _e1553 = select(_e1543, _e1551, (_e1551 > _e1543));
+                                                                let _e1555 = select(_e1533, _e1532, (_e1532 > _e1533));
+                                                                let _e1557 = select(_e1537, _e1536, (_e1536 > _e1537));
+                                                                let _e1559 = select(_e1557, _e1555, (_e1555 < _e1557));
+                                                                let _e1561 = select(_e1545, _e1559, (_e1559 < _e1545));
+                                                                let _e1562 = -(_e1543);
+                                                                let _e1568 = select(_e757, _e1553, (_e1553 > _e757));
+                                                                if (_e1568 > (_e1561 + (select(_e1562, _e1545, (_e1545 > _e1562)) * 0.0000019073523f))) {
+                                                                    phi_2455_ = type_26();
+                                                                    phi_2456_ = true;
                                                                 } else {
-                                                                    let _e1342 = (_e1340 > _e1084.member_1);
-                                                                    if _e1342 {
-                                                                        phi_2035_ = type_26();
+                                                                    let _e1570 = (_e1568 > _e1312.member_1);
+                                                                    if _e1570 {
+                                                                        phi_2454_ = type_26();
                                                                     } else {
-                                                                        let _e1343 = vec3<f32>(_e1180[0][0], _e1180[0][1], _e1180[0][2]);
-                                                                        let _e1344 = vec3<f32>(_e1180[1][0], _e1180[1][1], _e1180[1][2]);
-                                                                        let _e1345 = vec3<f32>(_e1180[2][0], _e1180[2][1], _e1180[2][2]);
-                                                                        let _e1346 = (_e1180[1][0] - _e1180[0][0]);
-                                                                        let _e1347 = (_e1180[1][1] - _e1180[0][1]);
-                                                                        let _e1348 = (_e1180[1][2] - _e1180[0][2]);
-                                                                        let _e1349 = vec3<f32>(_e1346, _e1347, _e1348);
-                                                                        let _e1350 = (_e1180[2][0] - _e1180[1][0]);
-                                                                        let _e1351 = (_e1180[2][1] - _e1180[1][1]);
-                                                                        let _e1352 = (_e1180[2][2] - _e1180[1][2]);
-                                                                        let _e1353 = vec3<f32>(_e1350, _e1351, _e1352);
-                                                                        let _e1354 = (_e1180[0][0] - _e1180[2][0]);
-                                                                        let _e1355 = (_e1180[0][1] - _e1180[2][1]);
-                                                                        let _e1356 = (_e1180[0][2] - _e1180[2][2]);
-                                                                        let _e1357 = vec3<f32>(_e1354, _e1355, _e1356);
-                                                                        let _e1360 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
-                                                                        let _e1363 = bitcast<f32>((bitcast<u32>(_e1347) & 2147483647u));
-                                                                        let _e1365 = select(_e1363, _e1360, (_e1360 > _e1363));
-                                                                        let _e1368 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
-                                                                        let _e1370 = select(_e1368, _e1365, (_e1365 > _e1368));
-                                                                        let _e1373 = bitcast<f32>((bitcast<u32>(_e1350) & 2147483647u));
-                                                                        let _e1376 = bitcast<f32>((bitcast<u32>(_e1351) & 2147483647u));
-                                                                        let _e1378 = select(_e1376, _e1373, (_e1373 > _e1376));
-                                                                        let _e1381 = bitcast<f32>((bitcast<u32>(_e1352) & 2147483647u));
-                                                                        let _e1383 = select(_e1381, _e1378, (_e1378 > _e1381));
-                                                                        let _e1386 = bitcast<f32>((bitcast<u32>(_e1354) & 2147483647u));
-                                                                        let _e1389 = bitcast<f32>((bitcast<u32>(_e1355) & 2147483647u));
-                                                                        let _e1391 = select(_e1389, _e1386, (_e1386 > _e1389));
-                                                                        let _e1394 = bitcast<f32>((bitcast<u32>(_e1356) & 2147483647u));
-                                                                        let _e1396 = select(_e1394, _e1391, (_e1391 > _e1394));
-                                                                        let _e1398 = select(_e1383, _e1370, (_e1370 > _e1383));
-                                                                        let _e1400 = select(_e1396, _e1398, (_e1398 > _e1396));
-                                                                        if (_e1370 == _e1400) {
-                                                                            phi_1768_ = _e1207;
-                                                                            phi_1769_ = _e1204;
-                                                                            phi_1770_ = _e1194;
-                                                                            phi_1771_ = _e1191;
-                                                                            phi_1772_ = _e1343;
-                                                                            phi_1773_ = _e1357;
-                                                                            phi_1774_ = _e1353;
-                                                                            phi_1775_ = _e1349;
+                                                                        let _e1571 = vec3<f32>(_e1408[0][0], _e1408[0][1], _e1408[0][2]);
+                                                                        let _e1572 = vec3<f32>(_e1408[1][0], _e1408[1][1], _e1408[1][2]);
+                                                                        let _e1573 = vec3<f32>(_e1408[2][0], _e1408[2][1], _e1408[2][2]);
+                                                                        let _e1574 = (_e1408[1][0] - _e1408[0][0]);
+                                                                        let _e1575 = (_e1408[1][1] - _e1408[0][1]);
+                                                                        let _e1576 = (_e1408[1][2] - _e1408[0][2]);
+                                                                        let _e1577 = vec3<f32>(_e1574, _e1575, _e1576);
+                                                                        let _e1578 = (_e1408[2][0] - _e1408[1][0]);
+                                                                        let _e1579 = (_e1408[2][1] - _e1408[1][1]);
+                                                                        let _e1580 = (_e1408[2][2] - _e1408[1][2]);
+                                                                        let _e1581 = vec3<f32>(_e1578, _e1579, _e1580);
+                                                                        let _e1582 = (_e1408[0][0] - _e1408[2][0]);
+                                                                        let _e1583 = (_e1408[0][1] - _e1408[2][1]);
+                                                                        let _e1584 = (_e1408[0][2] - _e1408[2][2]);
+                                                                        let _e1585 = vec3<f32>(_e1582, _e1583, _e1584);
+                                                                        let _e1588 = bitcast<f32>((bitcast<u32>(_e1574) & 2147483647u));
+                                                                        let _e1591 = bitcast<f32>((bitcast<u32>(_e1575) & 2147483647u));
+                                                                        let _e1593 = select(_e1591, _e1588, (_e1588 > _e1591));
+                                                                        let _e1596 = bitcast<f32>((bitcast<u32>(_e1576) & 2147483647u));
+                                                                        let _e1598 = select(_e1596, _e1593, (_e1593 > _e1596));
+                                                                        let _e1601 = bitcast<f32>((bitcast<u32>(_e1578) & 2147483647u));
+                                                                        let _e1604 = bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u));
+                                                                        let _e1606 = select(_e1604, _e1601, (_e1601 > _e1604));
+                                                                        let _e1609 = bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u));
+                                                                        let _e1611 = select(_e1609, _e1606, (_e1606 > _e1609));
+                                                                        let _e1614 = bitcast<f32>((bitcast<u32>(_e1582) & 2147483647u));
+                                                                        let _e1617 = bitcast<f32>((bitcast<u32>(_e1583) & 2147483647u));
+                                                                        let _e1619 = select(_e1617, _e1614, (_e1614 > _e1617));
+                                                                        let _e1622 = bitcast<f32>((bitcast<u32>(_e1584) & 2147483647u));
+                                                                        let _e1624 = select(_e1622, _e1619, (_e1619 > _e1622));
+                                                                        let _e1626 = select(_e1611, _e1598, (_e1598 > _e1611));
+                                                                        let _e1628 = select(_e1624, _e1626, (_e1626 > _e1624));
+                                                                        if (_e1598 == _e1628) {
+                                                                            phi_2187_ = _e1435;
+                                                                            phi_2188_ = _e1432;
+                                                                            phi_2189_ = _e1422;
+                                                                            phi_2190_ = _e1419;
+                                                                            phi_2191_ = _e1571;
+                                                                            phi_2192_ = _e1585;
+                                                                            phi_2193_ = _e1581;
+                                                                            phi_2194_ = _e1577;
                                                                         } else {
-                                                                            let _e1402 = (_e1383 == _e1400);
-                                                                            let _e1407 = vec3(_e1402);
-                                                                            phi_1768_ = select(_e1194, _e1220, _e1402);
-                                                                            phi_1769_ = select(_e1191, _e1217, _e1402);
-                                                                            phi_1770_ = select(_e1220, _e1207, _e1402);
-                                                                            phi_1771_ = select(_e1217, _e1204, _e1402);
-                                                                            phi_1772_ = select(_e1345, _e1344, _e1407);
-                                                                            phi_1773_ = select(_e1353, _e1349, _e1407);
-                                                                            phi_1774_ = select(_e1349, _e1357, _e1407);
-                                                                            phi_1775_ = select(_e1357, _e1353, _e1407);
+                                                                            let _e1630 = (_e1611 == _e1628);
+                                                                            let _e1635 = vec3(_e1630);
+                                                                            phi_2187_ = select(_e1422, _e1448, _e1630);
+                                                                            phi_2188_ = select(_e1419, _e1445, _e1630);
+                                                                            phi_2189_ = select(_e1448, _e1435, _e1630);
+                                                                            phi_2190_ = select(_e1445, _e1432, _e1630);
+                                                                            phi_2191_ = select(_e1573, _e1572, _e1635);
+                                                                            phi_2192_ = select(_e1581, _e1577, _e1635);
+                                                                            phi_2193_ = select(_e1577, _e1585, _e1635);
+                                                                            phi_2194_ = select(_e1585, _e1581, _e1635);
                                                                         }
-                                                                        let _e1413 = phi_1768_;
-                                                                        let _e1415 = phi_1769_;
-                                                                        let _e1417 = phi_1770_;
-                                                                        let _e1419 = phi_1771_;
-                                                                        let _e1421 = phi_1772_;
-                                                                        let _e1423 = phi_1773_;
-                                                                        let _e1425 = phi_1774_;
-                                                                        let _e1427 = phi_1775_;
-                                                                        let _e1434 = ((_e1425.y * _e1423.z) - (_e1423.y * _e1425.z));
-                                                                        let _e1439 = ((_e1425.z * _e1423.x) - (_e1423.z * _e1425.x));
-                                                                        let _e1442 = ((_e1425.x * _e1423.y) - (_e1423.x * _e1425.y));
-                                                                        if (_e1242 >= _e1246) {
-                                                                            phi_1806_ = select(true, false, (_e1242 >= _e1250));
+                                                                        let _e1641 = phi_2187_;
+                                                                        let _e1643 = phi_2188_;
+                                                                        let _e1645 = phi_2189_;
+                                                                        let _e1647 = phi_2190_;
+                                                                        let _e1649 = phi_2191_;
+                                                                        let _e1651 = phi_2192_;
+                                                                        let _e1653 = phi_2193_;
+                                                                        let _e1655 = phi_2194_;
+                                                                        let _e1662 = ((_e1653.y * _e1651.z) - (_e1651.y * _e1653.z));
+                                                                        let _e1667 = ((_e1653.z * _e1651.x) - (_e1651.z * _e1653.x));
+                                                                        let _e1670 = ((_e1653.x * _e1651.y) - (_e1651.x * _e1653.y));
+                                                                        if (_e1470 >= _e1474) {
+                                                                            phi_2225_ = select(true, false, (_e1470 >= _e1478));
                                                                         } else {
-                                                                            phi_1806_ = true;
+                                                                            phi_2225_ = true;
                                                                         }
-                                                                        let _e1447 = phi_1806_;
-                                                                        if _e1447 {
-                                                                            phi_1815_ = select(_e1345, _e1344, vec3((_e1246 >= _e1250)));
+                                                                        let _e1675 = phi_2225_;
+                                                                        if _e1675 {
+                                                                            phi_2234_ = select(_e1573, _e1572, vec3((_e1474 >= _e1478)));
                                                                         } else {
-                                                                            phi_1815_ = _e1343;
+                                                                            phi_2234_ = _e1571;
                                                                         }
-                                                                        let _e1452 = phi_1815_;
-                                                                        let _e1463 = (((_e1434 * (_e1452.x - _e389)) + (_e1439 * (_e1452.y - _e426))) + (_e1442 * (_e1452.z - _e462)));
-                                                                        let _e1468 = (((_e1434 * _e414) + (_e1439 * _e450)) + (_e1442 * _e486));
-                                                                        let _e1469 = (_e1415 - _e1419);
-                                                                        let _e1470 = (_e1413 - _e1417);
-                                                                        let _e1478 = (-(((_e1419 * _e1469) + (_e1417 * _e1470))) / ((_e1469 * _e1469) + (_e1470 * _e1470)));
-                                                                        let _e1480 = select(1f, _e1478, (_e1478 < 1f));
-                                                                        let _e1482 = select(0f, _e1480, (_e1480 > 0f));
-                                                                        let _e1495 = ((_e1421.x + (_e1427.x * _e1482)) - _e389);
-                                                                        let _e1496 = ((_e1421.y + (_e1427.y * _e1482)) - _e426);
-                                                                        let _e1497 = ((_e1421.z + (_e1427.z * _e1482)) - _e462);
-                                                                        let _e1498 = (_e1497 / _e486);
-                                                                        let _e1510 = bitcast<f32>((bitcast<u32>(_e1495) & 2147483647u));
-                                                                        let _e1513 = bitcast<f32>((bitcast<u32>(_e1496) & 2147483647u));
-                                                                        let _e1515 = select(_e1513, _e1510, (_e1510 > _e1513));
-                                                                        let _e1518 = bitcast<f32>((bitcast<u32>(_e1497) & 2147483647u));
-                                                                        let _e1520 = select(_e1518, _e1515, (_e1515 > _e1518));
-                                                                        let _e1526 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
-                                                                        let _e1529 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
-                                                                        let _e1531 = select(_e1529, _e1526, (_e1526 > _e1529));
-                                                                        let _e1534 = bitcast<f32>((bitcast<u32>(_e1442) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1434 * _e1495) + (_e1439 * _e1496)) + (_e1442 * _e1497)) - _e1463)) & 2147483647u)) <= ((0.0000009536743f * select(_e1400, _e1520, (_e1520 > _e1400))) * select(_e1534, _e1531, (_e1531 > _e1534)))) {
-                                                                            let _e1544 = bitcast<f32>((bitcast<u32>(_e1425.x) & 2147483647u));
-                                                                            let _e1547 = bitcast<f32>((bitcast<u32>(_e1425.y) & 2147483647u));
-                                                                            let _e1549 = select(_e1547, _e1544, (_e1544 > _e1547));
-                                                                            let _e1552 = bitcast<f32>((bitcast<u32>(_e1425.z) & 2147483647u));
-                                                                            let _e1558 = bitcast<f32>((bitcast<u32>(_e1423.x) & 2147483647u));
-                                                                            let _e1561 = bitcast<f32>((bitcast<u32>(_e1423.y) & 2147483647u));
-                                                                            let _e1563 = select(_e1561, _e1558, (_e1558 > _e1561));
-                                                                            let _e1566 = bitcast<f32>((bitcast<u32>(_e1423.z) & 2147483647u));
-                                                                            let _e1570 = (bitcast<f32>((bitcast<u32>(_e1468) & 2147483647u)) > ((0.0000038146973f * select(_e1552, _e1549, (_e1549 > _e1552))) * select(_e1566, _e1563, (_e1563 > _e1566))));
-                                                                            if _e1570 {
-                                                                                phi_1980_ = (_e1463 / _e1468);
+                                                                        let _e1680 = phi_2234_;
+                                                                        let _e1691 = (((_e1662 * (_e1680.x - _e471)) + (_e1667 * (_e1680.y - _e538))) + (_e1670 * (_e1680.z - _e604)));
+                                                                        let _e1696 = (((_e1662 * _e511) + (_e1667 * _e577)) + (_e1670 * _e643));
+                                                                        let _e1697 = (_e1643 - _e1647);
+                                                                        let _e1698 = (_e1641 - _e1645);
+                                                                        let _e1706 = (-(((_e1647 * _e1697) + (_e1645 * _e1698))) / ((_e1697 * _e1697) + (_e1698 * _e1698)));
+                                                                        let _e1708 = select(1f, _e1706, (_e1706 < 1f));
+                                                                        let _e1710 = select(0f, _e1708, (_e1708 > 0f));
+                                                                        let _e1723 = ((_e1649.x + (_e1655.x * _e1710)) - _e471);
+                                                                        let _e1724 = ((_e1649.y + (_e1655.y * _e1710)) - _e538);
+                                                                        let _e1725 = ((_e1649.z + (_e1655.z * _e1710)) - _e604);
+                                                                        let _e1726 = (_e1725 / _e643);
+                                                                        let _e1738 = bitcast<f32>((bitcast<u32>(_e1723) & 2147483647u));
+                                                                        let _e1741 = bitcast<f32>((bitcast<u32>(_e1724) & 2147483647u));
+                                                                        let _e1743 = select(_e1741, _e1738, (_e1738 > _e1741));
+                                                                        let _e1746 = bitcast<f32>((bitcast<u32>(_e1725) & 2147483647u));
+                                                                        let _e1748 = select(_e1746, _e1743, (_e1743 > _e1746));
+                                                                        let _e1754 = bitcast<f32>((bitcast<u32>(_e1662) & 2147483647u));
+                                                                        let _e1757 = bitcast<f32>((bitcast<u32>(_e1667) & 2147483647u));
+                                                                        let _e1759 = select(_e1757, _e1754, (_e1754 > _e1757));
+                                                                        let _e1762 = bitcast<f32>((bitcast<u32>(_e1670) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1662 * _e1723) + (_e1667 * _e1724)) + (_e1670 * _e1725)) - _e1691)) & 2147483647u)) <= ((0.0000009536743f * select(_e1628, _e1748, (_e1748 > _e1628))) * select(_e1762, _e1759, (_e1759 > _e1762)))) {
+                                                                            let _e1772 = bitcast<f32>((bitcast<u32>(_e1653.x) & 2147483647u));
+                                                                            let _e1775 = bitcast<f32>((bitcast<u32>(_e1653.y) & 2147483647u));
+                                                                            let _e1777 = select(_e1775, _e1772, (_e1772 > _e1775));
+                                                                            let _e1780 = bitcast<f32>((bitcast<u32>(_e1653.z) & 2147483647u));
+                                                                            let _e1786 = bitcast<f32>((bitcast<u32>(_e1651.x) & 2147483647u));
+                                                                            let _e1789 = bitcast<f32>((bitcast<u32>(_e1651.y) & 2147483647u));
+                                                                            let _e1791 = select(_e1789, _e1786, (_e1786 > _e1789));
+                                                                            let _e1794 = bitcast<f32>((bitcast<u32>(_e1651.z) & 2147483647u));
+                                                                            let _e1798 = (bitcast<f32>((bitcast<u32>(_e1696) & 2147483647u)) > ((0.0000038146973f * select(_e1780, _e1777, (_e1777 > _e1780))) * select(_e1794, _e1791, (_e1791 > _e1794))));
+                                                                            if _e1798 {
+                                                                                phi_2399_ = (_e1691 / _e1696);
                                                                             } else {
-                                                                                phi_1980_ = f32();
+                                                                                phi_2399_ = f32();
                                                                             }
-                                                                            let _e1573 = phi_1980_;
-                                                                            phi_1982_ = _e1573;
-                                                                            phi_1983_ = select(true, false, _e1570);
+                                                                            let _e1801 = phi_2399_;
+                                                                            phi_2401_ = _e1801;
+                                                                            phi_2402_ = select(true, false, _e1798);
                                                                         } else {
-                                                                            phi_1982_ = f32();
-                                                                            phi_1983_ = true;
+                                                                            phi_2401_ = f32();
+                                                                            phi_2402_ = true;
                                                                         }
-                                                                        let _e1576 = phi_1982_;
-                                                                        let _e1578 = phi_1983_;
-                                                                        if _e1578 {
-                                                                            let _e1586 = (((_e1434 * (_e1495 - (_e414 * _e1498))) + (_e1439 * (_e1496 - (_e450 * _e1498)))) / _e1468);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1586) & 2147483647u)) <= _e1400) {
-                                                                                phi_2003_ = (_e1498 + _e1586);
+                                                                        let _e1804 = phi_2401_;
+                                                                        let _e1806 = phi_2402_;
+                                                                        if _e1806 {
+                                                                            let _e1814 = (((_e1662 * (_e1723 - (_e511 * _e1726))) + (_e1667 * (_e1724 - (_e577 * _e1726)))) / _e1696);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u)) <= _e1628) {
+                                                                                phi_2422_ = (_e1726 + _e1814);
                                                                             } else {
-                                                                                phi_2003_ = _e1498;
+                                                                                phi_2422_ = _e1726;
                                                                             }
-                                                                            let _e1593 = phi_2003_;
-                                                                            phi_2004_ = _e1593;
+                                                                            let _e1821 = phi_2422_;
+                                                                            phi_2423_ = _e1821;
                                                                         } else {
-                                                                            phi_2004_ = _e1576;
+                                                                            phi_2423_ = _e1804;
                                                                         }
-                                                                        let _e1595 = phi_2004_;
-                                                                        let _e1597 = select(_e1333, _e1595, (_e1595 < _e1333));
-                                                                        let _e1599 = select(_e1325, _e1597, (_e1597 > _e1325));
-                                                                        if (_e1599 >= _e535) {
-                                                                            let _e1601 = (_e1599 <= _e1084.member_1);
-                                                                            if _e1601 {
-                                                                                let _e1602 = (1f / _e1252);
-                                                                                phi_2027_ = type_26(_e1599, (_e1246 * _e1602), (_e1250 * _e1602), _e1113);
+                                                                        let _e1823 = phi_2423_;
+                                                                        let _e1825 = select(_e1561, _e1823, (_e1823 < _e1561));
+                                                                        let _e1827 = select(_e1553, _e1825, (_e1825 > _e1553));
+                                                                        if (_e1827 >= _e757) {
+                                                                            let _e1829 = (_e1827 <= _e1312.member_1);
+                                                                            if _e1829 {
+                                                                                let _e1830 = (1f / _e1480);
+                                                                                phi_2446_ = type_26(_e1827, (_e1474 * _e1830), (_e1478 * _e1830), _e1341);
                                                                             } else {
-                                                                                phi_2027_ = type_26();
+                                                                                phi_2446_ = type_26();
                                                                             }
-                                                                            let _e1607 = phi_2027_;
-                                                                            phi_2029_ = _e1607;
-                                                                            phi_2030_ = select(true, false, _e1601);
+                                                                            let _e1835 = phi_2446_;
+                                                                            phi_2448_ = _e1835;
+                                                                            phi_2449_ = select(true, false, _e1829);
                                                                         } else {
-                                                                            phi_2029_ = type_26();
-                                                                            phi_2030_ = true;
+                                                                            phi_2448_ = type_26();
+                                                                            phi_2449_ = true;
                                                                         }
-                                                                        let _e1610 = phi_2029_;
-                                                                        let _e1612 = phi_2030_;
-                                                                        if _e1612 {
-                                                                            phi_2034_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1838 = phi_2448_;
+                                                                        let _e1840 = phi_2449_;
+                                                                        if _e1840 {
+                                                                            phi_2453_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2034_ = _e1610;
+                                                                            phi_2453_ = _e1838;
                                                                         }
-                                                                        let _e1614 = phi_2034_;
-                                                                        phi_2035_ = _e1614;
+                                                                        let _e1842 = phi_2453_;
+                                                                        phi_2454_ = _e1842;
                                                                     }
-                                                                    let _e1616 = phi_2035_;
-                                                                    phi_2036_ = _e1616;
-                                                                    phi_2037_ = _e1342;
+                                                                    let _e1844 = phi_2454_;
+                                                                    phi_2455_ = _e1844;
+                                                                    phi_2456_ = _e1570;
                                                                 }
-                                                                let _e1618 = phi_2036_;
-                                                                let _e1620 = phi_2037_;
-                                                                phi_2041_ = _e1618;
-                                                                phi_2042_ = _e1620;
+                                                                let _e1846 = phi_2455_;
+                                                                let _e1848 = phi_2456_;
+                                                                phi_2460_ = _e1846;
+                                                                phi_2461_ = _e1848;
                                                             }
-                                                            let _e1622 = phi_2041_;
-                                                            let _e1624 = phi_2042_;
-                                                            phi_2043_ = _e1622;
-                                                            phi_2044_ = _e1277;
-                                                            phi_2045_ = _e1624;
+                                                            let _e1850 = phi_2460_;
+                                                            let _e1852 = phi_2461_;
+                                                            phi_2462_ = _e1850;
+                                                            phi_2463_ = _e1505;
+                                                            phi_2464_ = _e1852;
                                                         }
-                                                        let _e1626 = phi_2043_;
-                                                        let _e1628 = phi_2044_;
-                                                        let _e1630 = phi_2045_;
-                                                        phi_2046_ = _e1626;
-                                                        phi_2047_ = _e1628;
-                                                        phi_2048_ = _e1630;
+                                                        let _e1854 = phi_2462_;
+                                                        let _e1856 = phi_2463_;
+                                                        let _e1858 = phi_2464_;
+                                                        phi_2465_ = _e1854;
+                                                        phi_2466_ = _e1856;
+                                                        phi_2467_ = _e1858;
                                                     }
-                                                    let _e1632 = phi_2046_;
-                                                    let _e1634 = phi_2047_;
-                                                    let _e1636 = phi_2048_;
-                                                    phi_2056_ = _e1632;
-                                                    phi_2057_ = select(_e1636, true, _e1634);
+                                                    let _e1860 = phi_2465_;
+                                                    let _e1862 = phi_2466_;
+                                                    let _e1864 = phi_2467_;
+                                                    phi_2475_ = _e1860;
+                                                    phi_2476_ = select(_e1864, true, _e1862);
                                                 } else {
-                                                    phi_2056_ = type_26();
-                                                    phi_2057_ = true;
+                                                    phi_2475_ = type_26();
+                                                    phi_2476_ = true;
                                                 }
-                                                let _e1639 = phi_2056_;
-                                                let _e1641 = phi_2057_;
-                                                if _e1641 {
-                                                    phi_2061_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1867 = phi_2475_;
+                                                let _e1869 = phi_2476_;
+                                                if _e1869 {
+                                                    phi_2480_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2061_ = _e1639;
+                                                    phi_2480_ = _e1867;
                                                 }
-                                                let _e1643 = phi_2061_;
-                                                if (_e1643.member_3 != 4294967295u) {
-                                                    if (_e1113 == _e163) {
-                                                        phi_2390_ = false;
+                                                let _e1871 = phi_2480_;
+                                                if (_e1871.member_3 != 4294967295u) {
+                                                    if (_e1341 == _e170) {
+                                                        phi_2809_ = false;
                                                     } else {
-                                                        let _e1647 = (_e1113 < arrayLength((&global_5.member)));
-                                                        if _e1647 {
-                                                            if _e1647 {
+                                                        let _e1875 = (_e1341 < arrayLength((&global_5.member)));
+                                                        if _e1875 {
+                                                            if _e1875 {
                                                             } else {
-                                                                phi_3962_ = true;
+                                                                phi_4487_ = true;
                                                                 break;
                                                             }
-                                                            let _e1649 = global_5.member[_e1113];
-                                                            phi_2084_ = _e1649;
+                                                            let _e1877 = global_5.member[_e1341];
+                                                            phi_2503_ = _e1877;
                                                         } else {
-                                                            phi_2084_ = 4294967295u;
+                                                            phi_2503_ = 4294967295u;
                                                         }
-                                                        let _e1651 = phi_2084_;
-                                                        let _e1652 = (_e1651 < arrayLength((&global_6.member)));
-                                                        if _e1652 {
-                                                            if _e1652 {
+                                                        let _e1879 = phi_2503_;
+                                                        let _e1880 = (_e1879 < arrayLength((&global_6.member)));
+                                                        if _e1880 {
+                                                            if _e1880 {
                                                             } else {
-                                                                phi_3962_ = true;
+                                                                phi_4487_ = true;
                                                                 break;
                                                             }
-                                                            let _e1654 = global_6.member[_e1651];
-                                                            phi_2098_ = _e1654;
+                                                            let _e1882 = global_6.member[_e1879];
+                                                            phi_2517_ = _e1882;
                                                         } else {
-                                                            phi_2098_ = 0i;
+                                                            phi_2517_ = 0i;
                                                         }
-                                                        let _e1656 = phi_2098_;
-                                                        let _e1657 = (_e1656 == 0i);
-                                                        if _e1657 {
-                                                            phi_2389_ = true;
+                                                        let _e1884 = phi_2517_;
+                                                        let _e1885 = (_e1884 == 0i);
+                                                        if _e1885 {
+                                                            phi_2808_ = true;
                                                         } else {
-                                                            if _e381 {
-                                                                phi_2119_ = vec3<f32>(_e1180[0][0], _e1180[0][1], _e1180[0][2]);
+                                                            if _e448 {
+                                                                phi_2538_ = vec3<f32>(_e1408[0][0], _e1408[0][1], _e1408[0][2]);
                                                             } else {
-                                                                if (_e357 == 1u) {
-                                                                    phi_2118_ = vec3<f32>(_e1180[0][2], _e1180[0][0], _e1180[0][1]);
+                                                                if (_e424 == 1u) {
+                                                                    phi_2537_ = vec3<f32>(_e1408[0][2], _e1408[0][0], _e1408[0][1]);
                                                                 } else {
-                                                                    phi_2118_ = vec3<f32>(_e1180[0][1], _e1180[0][2], _e1180[0][0]);
+                                                                    phi_2537_ = vec3<f32>(_e1408[0][1], _e1408[0][2], _e1408[0][0]);
                                                                 }
-                                                                let _e1662 = phi_2118_;
-                                                                phi_2119_ = _e1662;
+                                                                let _e1890 = phi_2537_;
+                                                                phi_2538_ = _e1890;
                                                             }
-                                                            let _e1665 = phi_2119_;
-                                                            if _e381 {
-                                                                phi_2136_ = vec3<f32>(_e1180[1][0], _e1180[1][1], _e1180[1][2]);
+                                                            let _e1893 = phi_2538_;
+                                                            if _e448 {
+                                                                phi_2555_ = vec3<f32>(_e1408[1][0], _e1408[1][1], _e1408[1][2]);
                                                             } else {
-                                                                if (_e357 == 1u) {
-                                                                    phi_2135_ = vec3<f32>(_e1180[1][2], _e1180[1][0], _e1180[1][1]);
+                                                                if (_e424 == 1u) {
+                                                                    phi_2554_ = vec3<f32>(_e1408[1][2], _e1408[1][0], _e1408[1][1]);
                                                                 } else {
-                                                                    phi_2135_ = vec3<f32>(_e1180[1][1], _e1180[1][2], _e1180[1][0]);
+                                                                    phi_2554_ = vec3<f32>(_e1408[1][1], _e1408[1][2], _e1408[1][0]);
                                                                 }
-                                                                let _e1670 = phi_2135_;
-                                                                phi_2136_ = _e1670;
+                                                                let _e1898 = phi_2554_;
+                                                                phi_2555_ = _e1898;
                                                             }
-                                                            let _e1673 = phi_2136_;
-                                                            if _e381 {
-                                                                phi_2153_ = vec3<f32>(_e1180[2][0], _e1180[2][1], _e1180[2][2]);
+                                                            let _e1901 = phi_2555_;
+                                                            if _e448 {
+                                                                phi_2572_ = vec3<f32>(_e1408[2][0], _e1408[2][1], _e1408[2][2]);
                                                             } else {
-                                                                if (_e357 == 1u) {
-                                                                    phi_2152_ = vec3<f32>(_e1180[2][2], _e1180[2][0], _e1180[2][1]);
+                                                                if (_e424 == 1u) {
+                                                                    phi_2571_ = vec3<f32>(_e1408[2][2], _e1408[2][0], _e1408[2][1]);
                                                                 } else {
-                                                                    phi_2152_ = vec3<f32>(_e1180[2][1], _e1180[2][2], _e1180[2][0]);
+                                                                    phi_2571_ = vec3<f32>(_e1408[2][1], _e1408[2][2], _e1408[2][0]);
                                                                 }
-                                                                let _e1678 = phi_2152_;
-                                                                phi_2153_ = _e1678;
+                                                                let _e1906 = phi_2571_;
+                                                                phi_2572_ = _e1906;
                                                             }
-                                                            let _e1681 = phi_2153_;
-                                                            let _e1684 = (_e1673.x - _e1665.x);
-                                                            let _e1687 = (_e1673.y - _e1665.y);
-                                                            let _e1690 = (_e1673.z - _e1665.z);
-                                                            let _e1692 = (_e1681.x - _e1665.x);
-                                                            let _e1694 = (_e1681.y - _e1665.y);
-                                                            let _e1696 = (_e1681.z - _e1665.z);
-                                                            if (_e235.member_1 == 1u) {
-                                                                phi_2189_ = (vec3<f32>(_e235.member[0], _e235.member[1], _e235.member[2]) - _e1665);
+                                                            let _e1909 = phi_2572_;
+                                                            let _e1912 = (_e1901.x - _e1893.x);
+                                                            let _e1915 = (_e1901.y - _e1893.y);
+                                                            let _e1918 = (_e1901.z - _e1893.z);
+                                                            let _e1920 = (_e1909.x - _e1893.x);
+                                                            let _e1922 = (_e1909.y - _e1893.y);
+                                                            let _e1924 = (_e1909.z - _e1893.z);
+                                                            if (_e302.member_1 == 1u) {
+                                                                phi_2608_ = (vec3<f32>(_e302.member[0], _e302.member[1], _e302.member[2]) - _e1893);
                                                             } else {
-                                                                phi_2189_ = vec3<f32>(_e235.member[0], _e235.member[1], _e235.member[2]);
+                                                                phi_2608_ = vec3<f32>(_e302.member[0], _e302.member[1], _e302.member[2]);
                                                             }
-                                                            let _e1711 = phi_2189_;
-                                                            let _e1717 = bitcast<f32>((bitcast<u32>((_e1684 * _e1694)) ^ _e235.member_3[0]));
-                                                            let _e1721 = bitcast<f32>((bitcast<u32>((_e1687 * _e1692)) ^ _e235.member_3[0]));
-                                                            let _e1725 = bitcast<f32>((bitcast<u32>((_e1687 * _e1696)) ^ _e235.member_3[0]));
-                                                            let _e1729 = bitcast<f32>((bitcast<u32>((_e1690 * _e1694)) ^ _e235.member_3[0]));
-                                                            let _e1733 = bitcast<f32>((bitcast<u32>((_e1690 * _e1692)) ^ _e235.member_3[0]));
-                                                            let _e1737 = bitcast<f32>((bitcast<u32>((_e1684 * _e1696)) ^ _e235.member_3[0]));
-                                                            let _e1738 = (_e1725 - _e1729);
-                                                            let _e1739 = (_e1733 - _e1737);
-                                                            let _e1740 = (_e1717 - _e1721);
-                                                            let _e1764 = (bitcast<f32>((bitcast<u32>(_e1725) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1729) & 2147483647u)));
-                                                            let _e1771 = (bitcast<f32>((bitcast<u32>(_e1733) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1737) & 2147483647u)));
-                                                            let _e1778 = (bitcast<f32>((bitcast<u32>(_e1717) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1721) & 2147483647u)));
-                                                            if (_e235.member_2 == 0f) {
-                                                                phi_2371_ = 0f;
+                                                            let _e1939 = phi_2608_;
+                                                            let _e1945 = bitcast<f32>((bitcast<u32>((_e1912 * _e1922)) ^ _e302.member_3[0]));
+                                                            let _e1949 = bitcast<f32>((bitcast<u32>((_e1915 * _e1920)) ^ _e302.member_3[0]));
+                                                            let _e1953 = bitcast<f32>((bitcast<u32>((_e1915 * _e1924)) ^ _e302.member_3[0]));
+                                                            let _e1957 = bitcast<f32>((bitcast<u32>((_e1918 * _e1922)) ^ _e302.member_3[0]));
+                                                            let _e1961 = bitcast<f32>((bitcast<u32>((_e1918 * _e1920)) ^ _e302.member_3[0]));
+                                                            let _e1965 = bitcast<f32>((bitcast<u32>((_e1912 * _e1924)) ^ _e302.member_3[0]));
+                                                            let _e1966 = (_e1953 - _e1957);
+                                                            let _e1967 = (_e1961 - _e1965);
+                                                            let _e1968 = (_e1945 - _e1949);
+                                                            let _e1992 = (bitcast<f32>((bitcast<u32>(_e1953) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1957) & 2147483647u)));
+                                                            let _e1999 = (bitcast<f32>((bitcast<u32>(_e1961) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1965) & 2147483647u)));
+                                                            let _e2006 = (bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1949) & 2147483647u)));
+                                                            if (_e302.member_2 == 0f) {
+                                                                phi_2790_ = 0f;
                                                             } else {
-                                                                let _e1808 = bitcast<f32>((bitcast<u32>(_e1738) & 2147483647u));
-                                                                let _e1811 = bitcast<f32>((bitcast<u32>(_e1739) & 2147483647u));
-                                                                let _e1814 = bitcast<f32>((bitcast<u32>(_e1740) & 2147483647u));
-                                                                let _e1816 = select(_e1814, _e1811, (_e1811 > _e1814));
-                                                                let _e1820 = select(_e1814, _e1811, (_e1811 < _e1814));
-                                                                let _e1824 = select(_e1811, _e1808, (_e1808 < _e1811));
-                                                                let _e1826 = select(_e1811, _e1808, (_e1808 > _e1811));
-                                                                let _e1828 = select(_e1814, _e1826, (_e1826 < _e1814));
-                                                                phi_2371_ = bitcast<f32>((bitcast<u32>((_e235.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1816, _e1808, (_e1808 > _e1816)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1828, _e1824, (_e1824 > _e1828)))) ^ _e235.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1820, _e1808, (_e1808 < _e1820)))) ^ _e235.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1764 + _e1771) + _e1778))) ^ _e235.member_3[0]))) * 1.0000005f)) ^ _e235.member_3[0])))) ^ _e235.member_3[0]));
+                                                                let _e2036 = bitcast<f32>((bitcast<u32>(_e1966) & 2147483647u));
+                                                                let _e2039 = bitcast<f32>((bitcast<u32>(_e1967) & 2147483647u));
+                                                                let _e2042 = bitcast<f32>((bitcast<u32>(_e1968) & 2147483647u));
+                                                                let _e2044 = select(_e2042, _e2039, (_e2039 > _e2042));
+                                                                let _e2048 = select(_e2042, _e2039, (_e2039 < _e2042));
+                                                                let _e2052 = select(_e2039, _e2036, (_e2036 < _e2039));
+                                                                let _e2054 = select(_e2039, _e2036, (_e2036 > _e2039));
+                                                                let _e2056 = select(_e2042, _e2054, (_e2054 < _e2042));
+                                                                phi_2790_ = bitcast<f32>((bitcast<u32>((_e302.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2044, _e2036, (_e2036 > _e2044)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2056, _e2052, (_e2052 > _e2056)))) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2048, _e2036, (_e2036 < _e2048)))) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1992 + _e1999) + _e2006))) ^ _e302.member_3[0]))) * 1.0000005f)) ^ _e302.member_3[0])))) ^ _e302.member_3[0]));
                                                             }
-                                                            let _e1855 = phi_2371_;
-                                                            phi_2389_ = (_e1657 || !(((((bitcast<f32>((bitcast<u32>((_e1711.x * _e1738)) ^ _e235.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1711.y * _e1739)) ^ _e235.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1711.z * _e1740)) ^ _e235.member_3[0]))) * f32(-(_e1656))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1711.x) & 2147483647u)) * _e1764)) ^ _e235.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1711.y) & 2147483647u)) * _e1771)) ^ _e235.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1711.z) & 2147483647u)) * _e1778)) ^ _e235.member_3[0]))))) ^ _e235.member_3[0])) + _e1855) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2083 = phi_2790_;
+                                                            phi_2808_ = (_e1885 || !(((((bitcast<f32>((bitcast<u32>((_e1939.x * _e1966)) ^ _e302.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1939.y * _e1967)) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1939.z * _e1968)) ^ _e302.member_3[0]))) * f32(-(_e1884))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.x) & 2147483647u)) * _e1992)) ^ _e302.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.y) & 2147483647u)) * _e1999)) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.z) & 2147483647u)) * _e2006)) ^ _e302.member_3[0]))))) ^ _e302.member_3[0])) + _e2083) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1869 = phi_2389_;
-                                                        phi_2390_ = _e1869;
+                                                        let _e2097 = phi_2808_;
+                                                        phi_2809_ = _e2097;
                                                     }
-                                                    let _e1871 = phi_2390_;
-                                                    if _e1871 {
-                                                        if (_e1643.member < _e1084.member.member) {
-                                                            phi_2410_ = true;
+                                                    let _e2099 = phi_2809_;
+                                                    if _e2099 {
+                                                        if (_e1871.member < _e1312.member.member) {
+                                                            phi_2829_ = true;
                                                         } else {
-                                                            if (_e1643.member == _e1084.member.member) {
-                                                                phi_2409_ = (_e1643.member_3 < _e1084.member.member_3);
+                                                            if (_e1871.member == _e1312.member.member) {
+                                                                phi_2828_ = (_e1871.member_3 < _e1312.member.member_3);
                                                             } else {
-                                                                phi_2409_ = false;
+                                                                phi_2828_ = false;
                                                             }
-                                                            let _e1881 = phi_2409_;
-                                                            phi_2410_ = _e1881;
+                                                            let _e2109 = phi_2828_;
+                                                            phi_2829_ = _e2109;
                                                         }
-                                                        let _e1883 = phi_2410_;
-                                                        if _e1883 {
-                                                            phi_2416_ = type_43(_e1643, _e1643.member);
+                                                        let _e2111 = phi_2829_;
+                                                        if _e2111 {
+                                                            phi_2835_ = type_43(_e1871, _e1871.member);
                                                         } else {
-                                                            phi_2416_ = _e1084;
+                                                            phi_2835_ = _e1312;
                                                         }
-                                                        let _e1886 = phi_2416_;
-                                                        phi_2417_ = _e1886;
+                                                        let _e2114 = phi_2835_;
+                                                        phi_2836_ = _e2114;
                                                     } else {
-                                                        phi_2417_ = _e1084;
+                                                        phi_2836_ = _e1312;
                                                     }
-                                                    let _e1888 = phi_2417_;
-                                                    phi_2418_ = _e1888;
+                                                    let _e2116 = phi_2836_;
+                                                    phi_2837_ = _e2116;
                                                 } else {
-                                                    phi_2418_ = _e1084;
+                                                    phi_2837_ = _e1312;
                                                 }
-                                                let _e1890 = phi_2418_;
-                                                phi_1086_ = _e1890;
+                                                let _e2118 = phi_2837_;
+                                                phi_1505_ = _e2118;
                                             } else {
-                                                phi_1086_ = type_43();
+                                                phi_1505_ = type_43();
                                             }
-                                            let _e1892 = phi_1086_;
+                                            let _e2120 = phi_1505_;
                                             continue;
                                             continuing {
-                                                phi_1085_ = _e1892;
-                                                phi_1088_ = _e1099;
-                                                phi_3962_ = _e577;
-                                                break if !(_e1105);
+                                                phi_1504_ = _e2120;
+                                                phi_1507_ = _e1327;
+                                                phi_4487_ = _e799;
+                                                break if !(_e1333);
                                             }
                                         }
-                                        let _e1895 = phi_3962_;
-                                        phi_4128_ = _e1895;
-                                        if _e1895 {
+                                        let _e2123 = phi_4487_;
+                                        phi_4679_ = _e2123;
+                                        if _e2123 {
                                             break;
                                         }
-                                        phi_4132_ = _e1895;
-                                        let _e2129 = local_11;
-                                        phi_3623_ = _e2129;
-                                        phi_3624_ = _e618;
-                                        phi_3625_ = false;
-                                        phi_3626_ = _e622;
+                                        phi_4683_ = _e2123;
+                                        let _e2456 = local_11;
+                                        phi_4042_ = _e2456;
+                                        phi_4043_ = _e840;
+                                        phi_4044_ = false;
+                                        phi_4045_ = _e844;
                                     } else {
-                                        if (_e618.member_1 >= _e96) {
-                                            phi_3179_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e840.member_1 >= _e103) {
+                                            phi_3598_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e618.member_1 < _e96) {
+                                            if (_e840.member_1 < _e103) {
                                             } else {
-                                                phi_4128_ = true;
+                                                phi_4679_ = true;
                                                 break;
                                             }
-                                            let _e633 = (_e357 * 2u);
-                                            let _e635 = ((1u + _e633) % 7u);
-                                            if (_e635 < 7u) {
+                                            let _e855 = (_e424 * 2u);
+                                            let _e857 = ((1u + _e855) % 7u);
+                                            if (_e857 < 7u) {
                                             } else {
-                                                phi_4128_ = true;
+                                                phi_4679_ = true;
                                                 break;
                                             }
-                                            let _e640 = global_10.member[_e618.member_1][_e635];
-                                            let _e642 = ((_e633 + 2u) % 7u);
-                                            if (_e642 < 7u) {
+                                            let _e862 = global_10.member[_e840.member_1][_e857];
+                                            let _e864 = ((_e855 + 2u) % 7u);
+                                            if (_e864 < 7u) {
                                             } else {
-                                                phi_4128_ = true;
+                                                phi_4679_ = true;
                                                 break;
                                             }
-                                            let _e647 = global_10.member[_e618.member_1][_e642];
-                                            let _e648 = (_e356 * 2u);
-                                            let _e650 = ((1u + _e648) % 7u);
-                                            if (_e650 < 7u) {
+                                            let _e869 = global_10.member[_e840.member_1][_e864];
+                                            let _e870 = (_e423 * 2u);
+                                            let _e872 = ((1u + _e870) % 7u);
+                                            if (_e872 < 7u) {
                                             } else {
-                                                phi_4128_ = true;
+                                                phi_4679_ = true;
                                                 break;
                                             }
-                                            let _e655 = global_10.member[_e618.member_1][_e650];
-                                            let _e657 = ((_e648 + 2u) % 7u);
-                                            if (_e657 < 7u) {
+                                            let _e877 = global_10.member[_e840.member_1][_e872];
+                                            let _e879 = ((_e870 + 2u) % 7u);
+                                            if (_e879 < 7u) {
                                             } else {
-                                                phi_4128_ = true;
+                                                phi_4679_ = true;
                                                 break;
                                             }
-                                            let _e662 = global_10.member[_e618.member_1][_e657];
-                                            let _e663 = (_e358 * 2u);
-                                            let _e665 = ((1u + _e663) % 7u);
-                                            if (_e665 < 7u) {
+                                            let _e884 = global_10.member[_e840.member_1][_e879];
+                                            let _e885 = (_e425 * 2u);
+                                            let _e887 = ((1u + _e885) % 7u);
+                                            if (_e887 < 7u) {
                                             } else {
-                                                phi_4128_ = true;
+                                                phi_4679_ = true;
                                                 break;
                                             }
-                                            let _e670 = global_10.member[_e618.member_1][_e665];
-                                            let _e672 = ((_e663 + 2u) % 7u);
-                                            if (_e672 < 7u) {
+                                            let _e892 = global_10.member[_e840.member_1][_e887];
+                                            let _e894 = ((_e885 + 2u) % 7u);
+                                            if (_e894 < 7u) {
                                             } else {
-                                                phi_4128_ = true;
+                                                phi_4679_ = true;
                                                 break;
                                             }
-                                            let _e677 = global_10.member[_e618.member_1][_e672];
-                                            let _e700 = (bitcast<f32>((bitcast<u32>((_e618.member.member_1.x - _e618.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e701 = (bitcast<f32>((bitcast<u32>((_e618.member.member_1.y - _e618.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e702 = (bitcast<f32>((bitcast<u32>((_e618.member.member_1.z - _e618.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e704 = select(_e154, _e700, (_e700 > _e154));
-                                            let _e706 = select(_e154, _e701, (_e701 > _e154));
-                                            let _e708 = select(_e154, _e702, (_e702 > _e154));
-                                            let _e733 = bitcast<u32>((f32(bitcast<i32>((_e640 & 2097151u))) * _e704));
-                                            let _e738 = (bitcast<i32>((_e640 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e741 = bitcast<f32>((_e733 & bitcast<u32>(_e738)));
-                                            let _e742 = bitcast<u32>((f32(bitcast<i32>((_e655 & 2097151u))) * _e706));
-                                            let _e747 = (bitcast<i32>((_e655 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e750 = bitcast<f32>((_e742 & bitcast<u32>(_e747)));
-                                            let _e751 = bitcast<u32>((f32(bitcast<i32>((_e670 & 2097151u))) * _e708));
-                                            let _e756 = (bitcast<i32>((_e670 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e759 = bitcast<f32>((_e751 & bitcast<u32>(_e756)));
-                                            let _e763 = bitcast<f32>((_e733 & bitcast<u32>(~(_e738))));
-                                            let _e767 = bitcast<f32>((_e742 & bitcast<u32>(~(_e747))));
-                                            let _e771 = bitcast<f32>((_e751 & bitcast<u32>(~(_e756))));
-                                            let _e772 = bitcast<u32>((f32(bitcast<i32>((_e647 & 2097151u))) * _e704));
-                                            let _e777 = (bitcast<i32>((_e647 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e780 = bitcast<f32>((_e772 & bitcast<u32>(_e777)));
-                                            let _e781 = bitcast<u32>((f32(bitcast<i32>((_e662 & 2097151u))) * _e706));
-                                            let _e786 = (bitcast<i32>((_e662 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e789 = bitcast<f32>((_e781 & bitcast<u32>(_e786)));
-                                            let _e790 = bitcast<u32>((f32(bitcast<i32>((_e677 & 2097151u))) * _e708));
-                                            let _e795 = (bitcast<i32>((_e677 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e798 = bitcast<f32>((_e790 & bitcast<u32>(_e795)));
-                                            let _e802 = bitcast<f32>((_e772 & bitcast<u32>(~(_e777))));
-                                            let _e806 = bitcast<f32>((_e781 & bitcast<u32>(~(_e786))));
-                                            let _e810 = bitcast<f32>((_e790 & bitcast<u32>(~(_e795))));
-                                            let _e840 = global_10.member[_e618.member_1][0u];
-                                            let _e844 = global_10.member[_e618.member_1][2u];
-                                            let _e848 = global_10.member[_e618.member_1][4u];
-                                            let _e852 = global_10.member[_e618.member_1][6u];
-                                            let _e864 = (((_e844 >> bitcast<u32>(22i)) | ((_e848 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e852 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e865 = (_e840 & 268435455u);
-                                            let _e866 = (_e864 & 268435455u);
-                                            let _e869 = ((_e840 >> bitcast<u32>(28u)) & 7u);
-                                            let _e877 = ((_e840 >> bitcast<u32>(31i)) | (((_e864 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e878 = (_e869 != 0u);
-                                            if (_e869 == 0u) {
-                                                phi_3141_ = _e865;
+                                            let _e899 = global_10.member[_e840.member_1][_e894];
+                                            let _e922 = (bitcast<f32>((bitcast<u32>((_e840.member.member_1.x - _e840.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e923 = (bitcast<f32>((bitcast<u32>((_e840.member.member_1.y - _e840.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e924 = (bitcast<f32>((bitcast<u32>((_e840.member.member_1.z - _e840.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e926 = select(_e161, _e922, (_e922 > _e161));
+                                            let _e928 = select(_e161, _e923, (_e923 > _e161));
+                                            let _e930 = select(_e161, _e924, (_e924 > _e161));
+                                            let _e961 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e862 & 2097151u))) - 8388608f) * _e926));
+                                            let _e966 = (bitcast<i32>((_e862 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e969 = bitcast<f32>((_e961 & bitcast<u32>(_e966)));
+                                            let _e970 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e877 & 2097151u))) - 8388608f) * _e928));
+                                            let _e975 = (bitcast<i32>((_e877 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e978 = bitcast<f32>((_e970 & bitcast<u32>(_e975)));
+                                            let _e979 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e892 & 2097151u))) - 8388608f) * _e930));
+                                            let _e984 = (bitcast<i32>((_e892 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e987 = bitcast<f32>((_e979 & bitcast<u32>(_e984)));
+                                            let _e991 = bitcast<f32>((_e961 & bitcast<u32>(~(_e966))));
+                                            let _e995 = bitcast<f32>((_e970 & bitcast<u32>(~(_e975))));
+                                            let _e999 = bitcast<f32>((_e979 & bitcast<u32>(~(_e984))));
+                                            let _e1000 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e869 & 2097151u))) - 8388608f) * _e926));
+                                            let _e1005 = (bitcast<i32>((_e869 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1008 = bitcast<f32>((_e1000 & bitcast<u32>(_e1005)));
+                                            let _e1009 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e884 & 2097151u))) - 8388608f) * _e928));
+                                            let _e1014 = (bitcast<i32>((_e884 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1017 = bitcast<f32>((_e1009 & bitcast<u32>(_e1014)));
+                                            let _e1018 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e899 & 2097151u))) - 8388608f) * _e930));
+                                            let _e1023 = (bitcast<i32>((_e899 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1026 = bitcast<f32>((_e1018 & bitcast<u32>(_e1023)));
+                                            let _e1030 = bitcast<f32>((_e1000 & bitcast<u32>(~(_e1005))));
+                                            let _e1034 = bitcast<f32>((_e1009 & bitcast<u32>(~(_e1014))));
+                                            let _e1038 = bitcast<f32>((_e1018 & bitcast<u32>(~(_e1023))));
+                                            let _e1068 = global_10.member[_e840.member_1][0u];
+                                            let _e1072 = global_10.member[_e840.member_1][2u];
+                                            let _e1076 = global_10.member[_e840.member_1][4u];
+                                            let _e1080 = global_10.member[_e840.member_1][6u];
+                                            let _e1092 = (((_e1072 >> bitcast<u32>(22i)) | ((_e1076 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1080 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1093 = (_e1068 & 268435455u);
+                                            let _e1094 = (_e1092 & 268435455u);
+                                            let _e1097 = ((_e1068 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1105 = ((_e1068 >> bitcast<u32>(31i)) | (((_e1092 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1106 = (_e1097 != 0u);
+                                            if (_e1097 == 0u) {
+                                                phi_3560_ = _e1093;
                                             } else {
-                                                if (_e869 == 7u) {
-                                                    phi_3140_ = 2147483648u;
+                                                if (_e1097 == 7u) {
+                                                    phi_3559_ = 2147483648u;
                                                 } else {
-                                                    phi_3140_ = ((2147483648u | (_e869 << bitcast<u32>(28u))) | (_e866 & 268435455u));
+                                                    phi_3559_ = ((2147483648u | (_e1097 << bitcast<u32>(28u))) | (_e1094 & 268435455u));
                                                 }
-                                                let _e887 = phi_3140_;
-                                                phi_3141_ = _e887;
+                                                let _e1115 = phi_3559_;
+                                                phi_3560_ = _e1115;
                                             }
-                                            let _e889 = phi_3141_;
-                                            if _e878 {
-                                                let _e890 = (_e869 != 7u);
-                                                if _e890 {
-                                                    phi_3151_ = (_e866 + _e869);
+                                            let _e1117 = phi_3560_;
+                                            if _e1106 {
+                                                let _e1118 = (_e1097 != 7u);
+                                                if _e1118 {
+                                                    phi_3570_ = (_e1094 + _e1097);
                                                 } else {
-                                                    phi_3151_ = u32();
+                                                    phi_3570_ = u32();
                                                 }
-                                                let _e893 = phi_3151_;
-                                                phi_3153_ = _e893;
-                                                phi_3154_ = select(true, false, _e890);
+                                                let _e1121 = phi_3570_;
+                                                phi_3572_ = _e1121;
+                                                phi_3573_ = select(true, false, _e1118);
                                             } else {
-                                                phi_3153_ = u32();
-                                                phi_3154_ = true;
+                                                phi_3572_ = u32();
+                                                phi_3573_ = true;
                                             }
-                                            let _e896 = phi_3153_;
-                                            let _e898 = phi_3154_;
-                                            if (_e877 == 0u) {
-                                                phi_3175_ = (_e865 + select(0u, 1u, !(_e878)));
+                                            let _e1124 = phi_3572_;
+                                            let _e1126 = phi_3573_;
+                                            if (_e1105 == 0u) {
+                                                phi_3594_ = (_e1093 + select(0u, 1u, !(_e1106)));
                                             } else {
-                                                if (_e877 == 7u) {
-                                                    phi_3174_ = 2147483648u;
+                                                if (_e1105 == 7u) {
+                                                    phi_3593_ = 2147483648u;
                                                 } else {
-                                                    phi_3174_ = ((2147483648u | (_e877 << bitcast<u32>(28u))) | (select(_e896, _e866, _e898) & 268435455u));
+                                                    phi_3593_ = ((2147483648u | (_e1105 << bitcast<u32>(28u))) | (select(_e1124, _e1094, _e1126) & 268435455u));
                                                 }
-                                                let _e911 = phi_3174_;
-                                                phi_3175_ = _e911;
+                                                let _e1139 = phi_3593_;
+                                                phi_3594_ = _e1139;
                                             }
-                                            let _e913 = phi_3175_;
-                                            phi_3179_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e618.member.member.x + _e741), (_e618.member.member.x + _e763), (_e618.member.member_1.x - _e780), (_e618.member.member_1.x - _e802)), vec4<f32>((_e618.member.member.y + _e750), (_e618.member.member.y + _e767), (_e618.member.member_1.y - _e789), (_e618.member.member_1.y - _e806)), vec4<f32>((_e618.member.member.z + _e759), (_e618.member.member.z + _e771), (_e618.member.member_1.z - _e798), (_e618.member.member_1.z - _e810))), type_62(type_38((_e618.member.member + vec4<f32>(_e741, _e750, _e759, 0f)), (_e618.member.member_1 - vec4<f32>(_e780, _e789, _e798, 0f))), _e889), type_62(type_38((_e618.member.member + vec4<f32>(_e763, _e767, _e771, 0f)), (_e618.member.member_1 - vec4<f32>(_e802, _e806, _e810, 0f))), _e913));
+                                            let _e1141 = phi_3594_;
+                                            phi_3598_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e840.member.member.x + _e969), (_e840.member.member.x + _e991), (_e840.member.member_1.x - _e1008), (_e840.member.member_1.x - _e1030)), vec4<f32>((_e840.member.member.y + _e978), (_e840.member.member.y + _e995), (_e840.member.member_1.y - _e1017), (_e840.member.member_1.y - _e1034)), vec4<f32>((_e840.member.member.z + _e987), (_e840.member.member.z + _e999), (_e840.member.member_1.z - _e1026), (_e840.member.member_1.z - _e1038))), type_62(type_38((_e840.member.member + vec4<f32>(_e969, _e978, _e987, 0f)), (_e840.member.member_1 - vec4<f32>(_e1008, _e1017, _e1026, 0f))), _e1117), type_62(type_38((_e840.member.member + vec4<f32>(_e991, _e995, _e999, 0f)), (_e840.member.member_1 - vec4<f32>(_e1030, _e1034, _e1038, 0f))), _e1141));
                                         }
-                                        let _e918 = phi_3179_;
-                                        let _e930 = ((_e918.member[0].x - _e412) * _e417);
-                                        let _e931 = ((_e918.member[0].y - _e412) * _e417);
-                                        let _e932 = ((_e918.member[0].z - _e413) * _e417);
-                                        let _e933 = ((_e918.member[0].w - _e413) * _e417);
-                                        let _e943 = ((_e918.member[1].x - _e448) * _e453);
-                                        let _e944 = ((_e918.member[1].y - _e448) * _e453);
-                                        let _e945 = ((_e918.member[1].z - _e449) * _e453);
-                                        let _e946 = ((_e918.member[1].w - _e449) * _e453);
-                                        let _e956 = ((_e918.member[2].x - _e484) * _e489);
-                                        let _e957 = ((_e918.member[2].y - _e484) * _e489);
-                                        let _e958 = ((_e918.member[2].z - _e485) * _e489);
-                                        let _e959 = ((_e918.member[2].w - _e485) * _e489);
-                                        let _e961 = select(_e958, _e956, (_e956 < _e958));
-                                        let _e963 = select(_e959, _e957, (_e957 < _e959));
-                                        let _e965 = select(_e958, _e956, (_e956 > _e958));
-                                        let _e967 = select(_e959, _e957, (_e957 > _e959));
-                                        let _e969 = select(_e932, _e930, (_e930 < _e932));
-                                        let _e971 = select(_e933, _e931, (_e931 < _e933));
-                                        let _e973 = select(_e945, _e943, (_e943 < _e945));
-                                        let _e975 = select(_e946, _e944, (_e944 < _e946));
-                                        let _e977 = select(_e973, _e969, (_e969 > _e973));
-                                        let _e979 = select(_e975, _e971, (_e971 > _e975));
-                                        let _e981 = select(_e961, _e977, (_e977 > _e961));
-                                        let _e983 = select(_e963, _e979, (_e979 > _e963));
-                                        let _e985 = select(_e932, _e930, (_e930 > _e932));
-                                        let _e987 = select(_e933, _e931, (_e931 > _e933));
-                                        let _e989 = select(_e945, _e943, (_e943 > _e945));
-                                        let _e991 = select(_e946, _e944, (_e944 > _e946));
-                                        let _e993 = select(_e989, _e985, (_e985 < _e989));
-                                        let _e995 = select(_e991, _e987, (_e987 < _e991));
-                                        let _e1000 = -(_e961);
-                                        let _e1001 = -(_e963);
-                                        let _e1008 = (select(_e965, _e993, (_e993 < _e965)) + (select(_e1000, _e965, (_e965 > _e1000)) * 0.0000019073523f));
-                                        let _e1009 = (select(_e967, _e995, (_e995 < _e967)) + (select(_e1001, _e967, (_e967 > _e1001)) * 0.0000019073523f));
-                                        let _e1011 = select(_e535, _e981, (_e981 > _e535));
-                                        let _e1013 = select(_e535, _e983, (_e983 > _e535));
-                                        let _e1018 = (_e1011 <= select(_e579.member_1, _e1008, (_e1008 < _e579.member_1)));
-                                        let _e1019 = (_e1013 <= select(_e579.member_1, _e1009, (_e1009 < _e579.member_1)));
-                                        let _e1020 = (_e1011 <= _e1013);
-                                        if _e1018 {
-                                            if _e1019 {
-                                                if _e1020 {
-                                                    phi_3523_ = _e918.member_2;
+                                        let _e1146 = phi_3598_;
+                                        let _e1158 = ((_e1146.member[0].x - _e509) * _e514);
+                                        let _e1159 = ((_e1146.member[0].y - _e509) * _e514);
+                                        let _e1160 = ((_e1146.member[0].z - _e510) * _e514);
+                                        let _e1161 = ((_e1146.member[0].w - _e510) * _e514);
+                                        let _e1171 = ((_e1146.member[1].x - _e575) * _e580);
+                                        let _e1172 = ((_e1146.member[1].y - _e575) * _e580);
+                                        let _e1173 = ((_e1146.member[1].z - _e576) * _e580);
+                                        let _e1174 = ((_e1146.member[1].w - _e576) * _e580);
+                                        let _e1184 = ((_e1146.member[2].x - _e641) * _e646);
+                                        let _e1185 = ((_e1146.member[2].y - _e641) * _e646);
+                                        let _e1186 = ((_e1146.member[2].z - _e642) * _e646);
+                                        let _e1187 = ((_e1146.member[2].w - _e642) * _e646);
+                                        let _e1189 = select(_e1186, _e1184, (_e1184 < _e1186));
+                                        let _e1191 = select(_e1187, _e1185, (_e1185 < _e1187));
+                                        let _e1193 = select(_e1186, _e1184, (_e1184 > _e1186));
+                                        let _e1195 = select(_e1187, _e1185, (_e1185 > _e1187));
+                                        let _e1197 = select(_e1160, _e1158, (_e1158 < _e1160));
+                                        let _e1199 = select(_e1161, _e1159, (_e1159 < _e1161));
+                                        let _e1201 = select(_e1173, _e1171, (_e1171 < _e1173));
+                                        let _e1203 = select(_e1174, _e1172, (_e1172 < _e1174));
+                                        let _e1205 = select(_e1201, _e1197, (_e1197 > _e1201));
+                                        let _e1207 = select(_e1203, _e1199, (_e1199 > _e1203));
+                                        let _e1209 = select(_e1189, _e1205, (_e1205 > _e1189));
+                                        let _e1211 = select(_e1191, _e1207, (_e1207 > _e1191));
+                                        let _e1213 = select(_e1160, _e1158, (_e1158 > _e1160));
+                                        let _e1215 = select(_e1161, _e1159, (_e1159 > _e1161));
+                                        let _e1217 = select(_e1173, _e1171, (_e1171 > _e1173));
+                                        let _e1219 = select(_e1174, _e1172, (_e1172 > _e1174));
+                                        let _e1221 = select(_e1217, _e1213, (_e1213 < _e1217));
+                                        let _e1223 = select(_e1219, _e1215, (_e1215 < _e1219));
+                                        let _e1228 = -(_e1189);
+                                        let _e1229 = -(_e1191);
+                                        let _e1236 = (select(_e1193, _e1221, (_e1221 < _e1193)) + (select(_e1228, _e1193, (_e1193 > _e1228)) * 0.0000019073523f));
+                                        let _e1237 = (select(_e1195, _e1223, (_e1223 < _e1195)) + (select(_e1229, _e1195, (_e1195 > _e1229)) * 0.0000019073523f));
+                                        let _e1239 = select(_e757, _e1209, (_e1209 > _e757));
+                                        let _e1241 = select(_e757, _e1211, (_e1211 > _e757));
+                                        let _e1246 = (_e1239 <= select(_e801.member_1, _e1236, (_e1236 < _e801.member_1)));
+                                        let _e1247 = (_e1241 <= select(_e801.member_1, _e1237, (_e1237 < _e801.member_1)));
+                                        let _e1248 = (_e1239 <= _e1241);
+                                        if _e1246 {
+                                            if _e1247 {
+                                                if _e1248 {
+                                                    phi_3942_ = _e1146.member_2;
                                                 } else {
-                                                    phi_3523_ = _e918.member_1;
+                                                    phi_3942_ = _e1146.member_1;
                                                 }
-                                                let _e1024 = phi_3523_;
-                                                let _e1046 = (_e622 % 128u);
-                                                let _e1047 = (_e1046 < 128u);
-                                                if _e1047 {
+                                                let _e1252 = phi_3942_;
+                                                let _e1274 = (_e844 % 128u);
+                                                let _e1275 = (_e1274 < 128u);
+                                                if _e1275 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1046] = _e1024.member_1;
-                                                if _e1047 {
+                                                local_8[_e1274] = _e1252.member_1;
+                                                if _e1275 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1046] = _e1024.member.member.x;
-                                                if _e1047 {
+                                                local_7[_e1274] = _e1252.member.member.x;
+                                                if _e1275 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1046] = _e1024.member.member.y;
-                                                if _e1047 {
+                                                local_6[_e1274] = _e1252.member.member.y;
+                                                if _e1275 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1046] = _e1024.member.member.z;
-                                                if _e1047 {
+                                                local_5[_e1274] = _e1252.member.member.z;
+                                                if _e1275 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1046] = _e1024.member.member_1.x;
-                                                if _e1047 {
+                                                local_4[_e1274] = _e1252.member.member_1.x;
+                                                if _e1275 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1046] = _e1024.member.member_1.y;
-                                                if _e1047 {
+                                                local_3[_e1274] = _e1252.member.member_1.y;
+                                                if _e1275 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1046] = _e1024.member.member_1.z;
-                                                if _e1047 {
+                                                local_2[_e1274] = _e1252.member.member_1.z;
+                                                if _e1275 {
                                                 } else {
-                                                    phi_4128_ = true;
+                                                    phi_4679_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1046] = select(_e1013, _e1011, (_e1011 > _e1013));
-                                                if _e1020 {
-                                                    phi_3600_ = _e918.member_1;
+                                                local_9[_e1274] = select(_e1241, _e1239, (_e1239 > _e1241));
+                                                if _e1248 {
+                                                    phi_4019_ = _e1146.member_1;
                                                 } else {
-                                                    phi_3600_ = _e918.member_2;
+                                                    phi_4019_ = _e1146.member_2;
                                                 }
-                                                let _e1060 = phi_3600_;
-                                                phi_3601_ = _e1060;
-                                                phi_3602_ = (_e622 + 1u);
+                                                let _e1288 = phi_4019_;
+                                                phi_4020_ = _e1288;
+                                                phi_4021_ = (_e844 + 1u);
                                             } else {
-                                                phi_3601_ = type_62();
-                                                phi_3602_ = u32();
+                                                phi_4020_ = type_62();
+                                                phi_4021_ = u32();
                                             }
-                                            let _e1062 = phi_3601_;
-                                            let _e1064 = phi_3602_;
-                                            phi_3604_ = _e1062;
-                                            phi_3605_ = _e1064;
-                                            phi_3606_ = select(true, false, _e1019);
+                                            let _e1290 = phi_4020_;
+                                            let _e1292 = phi_4021_;
+                                            phi_4023_ = _e1290;
+                                            phi_4024_ = _e1292;
+                                            phi_4025_ = select(true, false, _e1247);
                                         } else {
-                                            phi_3604_ = type_62();
-                                            phi_3605_ = u32();
-                                            phi_3606_ = true;
+                                            phi_4023_ = type_62();
+                                            phi_4024_ = u32();
+                                            phi_4025_ = true;
                                         }
-                                        let _e1067 = phi_3604_;
-                                        let _e1069 = phi_3605_;
-                                        let _e1071 = phi_3606_;
-                                        if _e1071 {
-                                            if _e1018 {
-                                                phi_3615_ = _e918.member_1;
+                                        let _e1295 = phi_4023_;
+                                        let _e1297 = phi_4024_;
+                                        let _e1299 = phi_4025_;
+                                        if _e1299 {
+                                            if _e1246 {
+                                                phi_4034_ = _e1146.member_1;
                                             } else {
-                                                phi_3615_ = _e918.member_2;
+                                                phi_4034_ = _e1146.member_2;
                                             }
-                                            let _e1075 = phi_3615_;
-                                            phi_3620_ = _e1075;
-                                            phi_3621_ = select(_e1019, true, _e1018);
+                                            let _e1303 = phi_4034_;
+                                            phi_4039_ = _e1303;
+                                            phi_4040_ = select(_e1247, true, _e1246);
                                         } else {
-                                            phi_3620_ = _e1067;
-                                            phi_3621_ = _e620;
+                                            phi_4039_ = _e1295;
+                                            phi_4040_ = _e842;
                                         }
-                                        let _e1078 = phi_3620_;
-                                        let _e1080 = phi_3621_;
-                                        phi_4132_ = _e577;
-                                        phi_3623_ = _e579;
-                                        phi_3624_ = _e1078;
-                                        phi_3625_ = _e1080;
-                                        phi_3626_ = select(_e1069, _e622, _e1071);
+                                        let _e1306 = phi_4039_;
+                                        let _e1308 = phi_4040_;
+                                        phi_4683_ = _e799;
+                                        phi_4042_ = _e801;
+                                        phi_4043_ = _e1306;
+                                        phi_4044_ = _e1308;
+                                        phi_4045_ = select(_e1297, _e844, _e1299);
                                     }
-                                    let _e1897 = phi_4132_;
-                                    let _e1899 = phi_3623_;
-                                    let _e1901 = phi_3624_;
-                                    let _e1903 = phi_3625_;
-                                    let _e1905 = phi_3626_;
-                                    phi_4131_ = _e1897;
-                                    phi_3627_ = _e1899;
-                                    phi_3628_ = _e1901;
-                                    phi_3629_ = (_e583 - 1u);
-                                    phi_3630_ = _e1903;
-                                    phi_3631_ = _e1905;
+                                    let _e2125 = phi_4683_;
+                                    let _e2127 = phi_4042_;
+                                    let _e2129 = phi_4043_;
+                                    let _e2131 = phi_4044_;
+                                    let _e2133 = phi_4045_;
+                                    phi_4682_ = _e2125;
+                                    phi_4046_ = _e2127;
+                                    phi_4047_ = _e2129;
+                                    phi_4048_ = (_e805 - 1u);
+                                    phi_4049_ = _e2131;
+                                    phi_4050_ = _e2133;
                                 } else {
-                                    phi_4131_ = _e577;
-                                    phi_3627_ = _e579;
-                                    phi_3628_ = _e618;
-                                    phi_3629_ = _e583;
-                                    phi_3630_ = _e620;
-                                    phi_3631_ = _e622;
+                                    phi_4682_ = _e799;
+                                    phi_4046_ = _e801;
+                                    phi_4047_ = _e840;
+                                    phi_4048_ = _e805;
+                                    phi_4049_ = _e842;
+                                    phi_4050_ = _e844;
                                 }
-                                let _e1907 = phi_4131_;
-                                let _e1909 = phi_3627_;
-                                let _e1911 = phi_3628_;
-                                let _e1913 = phi_3629_;
-                                let _e1915 = phi_3630_;
-                                let _e1917 = phi_3631_;
-                                phi_4130_ = _e1907;
-                                phi_3632_ = _e1909;
-                                phi_3633_ = _e1911;
-                                phi_3634_ = _e1913;
-                                phi_3635_ = _e1915;
-                                phi_3636_ = _e1917;
+                                let _e2135 = phi_4682_;
+                                let _e2137 = phi_4046_;
+                                let _e2139 = phi_4047_;
+                                let _e2141 = phi_4048_;
+                                let _e2143 = phi_4049_;
+                                let _e2145 = phi_4050_;
+                                phi_4681_ = _e2135;
+                                phi_4051_ = _e2137;
+                                phi_4052_ = _e2139;
+                                phi_4053_ = _e2141;
+                                phi_4054_ = _e2143;
+                                phi_4055_ = _e2145;
                             } else {
-                                phi_4130_ = _e577;
-                                phi_3632_ = type_43();
-                                phi_3633_ = type_62();
-                                phi_3634_ = u32();
-                                phi_3635_ = bool();
-                                phi_3636_ = u32();
+                                phi_4681_ = _e799;
+                                phi_4051_ = type_43();
+                                phi_4052_ = type_62();
+                                phi_4053_ = u32();
+                                phi_4054_ = bool();
+                                phi_4055_ = u32();
                             }
-                            let _e1919 = phi_4130_;
-                            let _e1921 = phi_3632_;
-                            let _e1923 = phi_3633_;
-                            let _e1925 = phi_3634_;
-                            let _e1927 = phi_3635_;
-                            let _e1929 = phi_3636_;
-                            phi_4129_ = _e1919;
-                            phi_960_ = _e1921;
-                            phi_963_ = _e1923;
-                            phi_965_ = _e1925;
-                            phi_967_ = _e1927;
-                            phi_969_ = _e1929;
-                            phi_3637_ = _e591;
+                            let _e2147 = phi_4681_;
+                            let _e2149 = phi_4051_;
+                            let _e2151 = phi_4052_;
+                            let _e2153 = phi_4053_;
+                            let _e2155 = phi_4054_;
+                            let _e2157 = phi_4055_;
+                            phi_4680_ = _e2147;
+                            phi_1379_ = _e2149;
+                            phi_1382_ = _e2151;
+                            phi_1384_ = _e2153;
+                            phi_1386_ = _e2155;
+                            phi_1388_ = _e2157;
+                            phi_4056_ = _e813;
                         } else {
-                            phi_4129_ = _e577;
-                            phi_960_ = type_43();
-                            phi_963_ = type_62();
-                            phi_965_ = u32();
-                            phi_967_ = bool();
-                            phi_969_ = u32();
-                            phi_3637_ = false;
+                            phi_4680_ = _e799;
+                            phi_1379_ = type_43();
+                            phi_1382_ = type_62();
+                            phi_1384_ = u32();
+                            phi_1386_ = bool();
+                            phi_1388_ = u32();
+                            phi_4056_ = false;
                         }
-                        let _e1931 = phi_4129_;
-                        let _e1933 = phi_960_;
-                        let _e1935 = phi_963_;
-                        let _e1937 = phi_965_;
-                        let _e1939 = phi_967_;
-                        let _e1941 = phi_969_;
-                        let _e1943 = phi_3637_;
+                        let _e2159 = phi_4680_;
+                        let _e2161 = phi_1379_;
+                        let _e2163 = phi_1382_;
+                        let _e2165 = phi_1384_;
+                        let _e2167 = phi_1386_;
+                        let _e2169 = phi_1388_;
+                        let _e2171 = phi_4056_;
                         continue;
                         continuing {
-                            phi_3968_ = _e1931;
-                            phi_959_ = _e1933;
-                            phi_962_ = _e1935;
-                            phi_964_ = _e1937;
-                            phi_966_ = _e1939;
-                            phi_968_ = _e1941;
-                            phi_4128_ = _e1931;
-                            break if !(_e1943);
+                            phi_4493_ = _e2159;
+                            phi_1378_ = _e2161;
+                            phi_1381_ = _e2163;
+                            phi_1383_ = _e2165;
+                            phi_1385_ = _e2167;
+                            phi_1387_ = _e2169;
+                            phi_4679_ = _e2159;
+                            break if !(_e2171);
                         }
                     }
-                    let _e1946 = phi_4128_;
-                    if _e1946 {
+                    let _e2174 = phi_4679_;
+                    if _e2174 {
                         break;
                     }
-                    let _e1948 = local_10;
-                    if (_e1948.member.member_3 != 4294967295u) {
-                        let _e1953 = (_e359 / 3i);
-                        let _e1960 = bitcast<f32>((bitcast<u32>((_e1953 + 127i)) << bitcast<u32>(23i)));
-                        let _e1968 = (((_e1948.member.member * _e1960) * _e1960) * bitcast<f32>((bitcast<u32>(((_e359 - (2i * _e1953)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1970 = select(340282350000000000000000000000000000000f, _e1968, (_e1968 < 340282350000000000000000000000000000000f));
-                        phi_3689_ = type_26(select(-340282350000000000000000000000000000000f, _e1970, (_e1970 > -340282350000000000000000000000000000000f)), _e1948.member.member_1, _e1948.member.member_2, _e1948.member.member_3);
+                    let _e2176 = local_10;
+                    if (_e2176.member.member_3 != 4294967295u) {
+                        let _e2181 = bitcast<u32>(_e2176.member.member);
+                        let _e2185 = (bitcast<i32>((_e2181 >> bitcast<u32>(23i))) & 255i);
+                        let _e2186 = (_e2185 + _e426);
+                        if (_e2185 == 255i) {
+                            phi_4115_ = _e2176.member.member;
+                        } else {
+                            if (_e2185 > 0i) {
+                                if (_e2186 > 0i) {
+                                    let _e2190 = (_e2186 < 255i);
+                                    if _e2190 {
+                                        phi_4094_ = bitcast<f32>((_e2181 + bitcast<u32>((_e426 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_4094_ = f32();
+                                    }
+                                    let _e2197 = phi_4094_;
+                                    phi_4096_ = _e2197;
+                                    phi_4097_ = select(true, false, _e2190);
+                                } else {
+                                    phi_4096_ = f32();
+                                    phi_4097_ = true;
+                                }
+                                let _e2200 = phi_4096_;
+                                let _e2202 = phi_4097_;
+                                phi_4098_ = _e2200;
+                                phi_4099_ = _e2202;
+                            } else {
+                                phi_4098_ = f32();
+                                phi_4099_ = true;
+                            }
+                            let _e2204 = phi_4098_;
+                            let _e2206 = phi_4099_;
+                            if _e2206 {
+                                let _e2207 = (_e2181 & 2147483648u);
+                                let _e2214 = ((_e2181 & 8388607u) | (select(0u, 1u, ((_e2181 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2218 = (_e2214 == 0u);
+                                if _e2218 {
+                                    phi_4445_ = bitcast<f32>(_e2207);
+                                } else {
+                                    let _e2223 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2214)), 32u, _e2218) - 8u);
+                                    let _e2226 = (_e2214 << bitcast<u32>((_e2223 & 31u)));
+                                    let _e2228 = ((_e2186 + select(0i, 1i, (_e2185 == 0i))) - bitcast<i32>(_e2223));
+                                    if (_e2228 >= 255i) {
+                                        phi_4435_ = bitcast<f32>((_e2207 | 2139095040u));
+                                        phi_4436_ = f32();
+                                        phi_4437_ = true;
+                                    } else {
+                                        let _e2230 = (_e2228 > 0i);
+                                        if _e2230 {
+                                            phi_4429_ = bitcast<f32>(((_e2207 | (bitcast<u32>(_e2228) << bitcast<u32>(23i))) | (_e2226 & 8388607u)));
+                                            phi_4430_ = f32();
+                                        } else {
+                                            if (_e2228 < -24i) {
+                                                phi_4395_ = 26u;
+                                            } else {
+                                                phi_4395_ = bitcast<u32>((1i - _e2228));
+                                            }
+                                            let _e2235 = phi_4395_;
+                                            let _e2236 = (_e2235 & 31u);
+                                            let _e2238 = (_e2226 >> bitcast<u32>(_e2236));
+                                            let _e2242 = (_e2226 & ((1u << bitcast<u32>(_e2236)) - 1u));
+                                            let _e2246 = (1u << bitcast<u32>(((_e2235 - 1u) & 31u)));
+                                            if (_e2242 > _e2246) {
+                                                phi_4416_ = true;
+                                            } else {
+                                                if (_e2242 == _e2246) {
+                                                    phi_4413_ = ((_e2238 & 1u) == 1u);
+                                                } else {
+                                                    phi_4413_ = false;
+                                                }
+                                                let _e2252 = phi_4413_;
+                                                phi_4416_ = _e2252;
+                                            }
+                                            let _e2254 = phi_4416_;
+                                            phi_4429_ = f32();
+                                            phi_4430_ = bitcast<f32>((_e2207 | (_e2238 + select(0u, 1u, _e2254))));
+                                        }
+                                        let _e2267 = phi_4429_;
+                                        let _e2269 = phi_4430_;
+                                        phi_4435_ = _e2267;
+                                        phi_4436_ = _e2269;
+                                        phi_4437_ = _e2230;
+                                    }
+                                    let _e2273 = phi_4435_;
+                                    let _e2275 = phi_4436_;
+                                    let _e2277 = phi_4437_;
+                                    phi_4445_ = select(_e2275, _e2273, _e2277);
+                                }
+                                let _e2281 = phi_4445_;
+                                phi_4114_ = _e2281;
+                            } else {
+                                phi_4114_ = _e2204;
+                            }
+                            let _e2283 = phi_4114_;
+                            phi_4115_ = _e2283;
+                        }
+                        let _e2285 = phi_4115_;
+                        let _e2286 = bitcast<u32>(_e2285);
+                        if ((_e2286 & 2147483647u) >= 2139095040u) {
+                            phi_4127_ = bitcast<f32>(((_e2286 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_4127_ = _e2285;
+                        }
+                        let _e2293 = phi_4127_;
+                        phi_4132_ = type_26(_e2293, _e2176.member.member_1, _e2176.member.member_2, _e2176.member.member_3);
                     } else {
-                        phi_3689_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4132_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1977 = phi_3689_;
-                    if _e236 {
+                    let _e2298 = phi_4132_;
+                    if _e303 {
                     } else {
                         break;
                     }
-                    global_8.member[_e142] = _e1977;
-                    if _e157 {
+                    global_8.member[_e149] = _e2298;
+                    if _e164 {
                     } else {
                         break;
                     }
-                    let _e1981 = select(0u, 1u, (_e303 <= _e313));
-                    if (_e1981 > 0u) {
-                        let _e1983 = (1u < _e110);
-                        if _e1983 {
-                            if (0u < _e110) {
+                    let _e2302 = select(0u, 1u, (_e370 <= _e380));
+                    if (_e2302 > 0u) {
+                        let _e2304 = (1u < _e117);
+                        if _e2304 {
+                            if (0u < _e117) {
                             } else {
                                 break;
                             }
-                            let _e1987 = atomicAdd((&global_9.member[0u]), _e1981);
-                            if ((_e1987 + _e1981) < _e1987) {
-                                if _e1983 {
+                            let _e2308 = atomicAdd((&global_9.member[0u]), _e2302);
+                            if ((_e2308 + _e2302) < _e2308) {
+                                if _e2304 {
                                 } else {
                                     break;
                                 }
-                                let _e1992 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e2313 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1995 = select(0u, 1u, (_e1977.member_3 != 4294967295u));
-                    if (_e1995 > 0u) {
-                        let _e1997 = (3u < _e110);
-                        if _e1997 {
-                            if (2u < _e110) {
+                    let _e2316 = select(0u, 1u, (_e2298.member_3 != 4294967295u));
+                    if (_e2316 > 0u) {
+                        let _e2318 = (3u < _e117);
+                        if _e2318 {
+                            if (2u < _e117) {
                             } else {
                                 break;
                             }
-                            let _e2001 = atomicAdd((&global_9.member[2u]), _e1995);
-                            if ((_e2001 + _e1995) < _e2001) {
-                                if _e1997 {
+                            let _e2322 = atomicAdd((&global_9.member[2u]), _e2316);
+                            if ((_e2322 + _e2316) < _e2322) {
+                                if _e2318 {
                                 } else {
                                     break;
                                 }
-                                let _e2006 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e2327 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

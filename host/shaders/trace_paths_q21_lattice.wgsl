@@ -118,479 +118,567 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_334_: u32;
-    var phi_378_: i32;
-    var phi_402_: type_35;
-    var phi_508_: i32;
-    var phi_509_: i32;
-    var phi_519_: bool;
-    var phi_529_: u32;
-    var phi_530_: u32;
-    var phi_532_: bool;
-    var phi_537_: u32;
-    var phi_569_: i32;
-    var phi_587_: f32;
-    var phi_593_: f32;
-    var phi_604_: f32;
-    var phi_610_: f32;
-    var phi_633_: f32;
-    var phi_644_: f32;
-    var phi_653_: f32;
-    var phi_659_: f32;
-    var phi_670_: f32;
-    var phi_676_: f32;
-    var phi_699_: f32;
-    var phi_710_: f32;
-    var phi_719_: f32;
-    var phi_725_: f32;
-    var phi_736_: f32;
-    var phi_742_: f32;
-    var phi_765_: f32;
-    var phi_776_: f32;
-    var phi_876_: f32;
-    var phi_877_: f32;
-    var phi_4594_: bool;
-    var phi_966_: type_38;
-    var phi_969_: type_57;
-    var phi_971_: u32;
-    var phi_973_: bool;
-    var phi_975_: u32;
-    var phi_986_: bool;
-    var phi_1072_: type_57;
-    var phi_1073_: bool;
-    var phi_1074_: u32;
-    var phi_3506_: u32;
-    var phi_3512_: u32;
-    var phi_3766_: u32;
-    var phi_3767_: u32;
-    var phi_3777_: u32;
-    var phi_3779_: u32;
-    var phi_3780_: bool;
-    var phi_3800_: u32;
-    var phi_3801_: u32;
-    var phi_3805_: type_58;
-    var phi_4149_: type_57;
-    var phi_4226_: type_57;
-    var phi_4227_: type_57;
-    var phi_4228_: u32;
-    var phi_4230_: type_57;
-    var phi_4231_: u32;
-    var phi_4232_: bool;
-    var phi_4241_: type_57;
-    var phi_4246_: type_57;
-    var phi_4247_: bool;
-    var phi_1093_: type_38;
-    var phi_1096_: type_8;
-    var phi_1097_: type_8;
-    var phi_1119_: type_8;
-    var phi_1160_: u32;
-    var phi_1166_: u32;
-    var phi_1176_: u32;
-    var phi_1192_: u32;
+    var phi_416_: u32;
+    var phi_460_: i32;
+    var phi_600_: type_35;
+    var phi_706_: i32;
+    var phi_707_: i32;
+    var phi_717_: bool;
+    var phi_727_: u32;
+    var phi_728_: u32;
+    var phi_730_: bool;
+    var phi_735_: u32;
+    var phi_767_: i32;
+    var phi_785_: f32;
+    var phi_791_: f32;
+    var phi_831_: f32;
+    var phi_837_: f32;
+    var phi_889_: f32;
+    var phi_900_: f32;
+    var phi_909_: f32;
+    var phi_915_: f32;
+    var phi_955_: f32;
+    var phi_961_: f32;
+    var phi_1013_: f32;
+    var phi_1024_: f32;
+    var phi_1033_: f32;
+    var phi_1039_: f32;
+    var phi_1079_: f32;
+    var phi_1085_: f32;
+    var phi_1137_: f32;
+    var phi_1148_: f32;
+    var phi_1203_: i32;
     var phi_1225_: u32;
-    var phi_1231_: u32;
-    var phi_1658_: u32;
-    var phi_1676_: u32;
-    var phi_1694_: u32;
-    var phi_1714_: u32;
-    var phi_1732_: u32;
-    var phi_1750_: u32;
-    var phi_1770_: u32;
-    var phi_1788_: u32;
-    var phi_1806_: u32;
-    var phi_1384_: u32;
-    var phi_1399_: u32;
-    var phi_1409_: u32;
-    var phi_1429_: u32;
-    var phi_1449_: u32;
-    var phi_1475_: u32;
-    var phi_1490_: u32;
-    var phi_1500_: u32;
-    var phi_1520_: u32;
-    var phi_1540_: u32;
-    var phi_1566_: u32;
-    var phi_1581_: u32;
-    var phi_1591_: u32;
-    var phi_1611_: u32;
-    var phi_1631_: u32;
-    var phi_1255_: u32;
-    var phi_1298_: u32;
-    var phi_1341_: u32;
-    var phi_1812_: array<array<f32, 3>, 3>;
-    var phi_1929_: bool;
-    var phi_1958_: bool;
-    var phi_2359_: f32;
-    var phi_2360_: f32;
-    var phi_2361_: f32;
-    var phi_2362_: f32;
-    var phi_2363_: vec3<f32>;
-    var phi_2364_: vec3<f32>;
-    var phi_2365_: vec3<f32>;
-    var phi_2366_: vec3<f32>;
-    var phi_2397_: bool;
-    var phi_2406_: vec3<f32>;
-    var phi_2571_: f32;
-    var phi_2573_: f32;
-    var phi_2574_: bool;
-    var phi_2594_: f32;
-    var phi_2595_: f32;
-    var phi_2618_: type_21;
-    var phi_2620_: type_21;
-    var phi_2621_: bool;
-    var phi_2625_: type_21;
-    var phi_2626_: type_21;
-    var phi_2627_: type_21;
-    var phi_2628_: bool;
-    var phi_2632_: type_21;
-    var phi_2633_: bool;
-    var phi_2634_: type_21;
-    var phi_2635_: bool;
-    var phi_2636_: bool;
-    var phi_2637_: type_21;
-    var phi_2638_: bool;
-    var phi_2639_: bool;
-    var phi_2647_: type_21;
-    var phi_2648_: bool;
-    var phi_2652_: type_21;
-    var phi_2675_: u32;
-    var phi_2689_: i32;
-    var phi_2709_: vec3<f32>;
-    var phi_2710_: vec3<f32>;
-    var phi_2726_: vec3<f32>;
-    var phi_2727_: vec3<f32>;
-    var phi_2743_: vec3<f32>;
-    var phi_2744_: vec3<f32>;
-    var phi_2780_: vec3<f32>;
-    var phi_2962_: f32;
-    var phi_2980_: bool;
-    var phi_2981_: bool;
-    var phi_3000_: bool;
-    var phi_3001_: bool;
-    var phi_3007_: type_38;
-    var phi_3008_: type_38;
-    var phi_3009_: type_38;
-    var phi_1094_: type_38;
-    var phi_4588_: bool;
-    var phi_4805_: bool;
-    var phi_4249_: type_38;
-    var phi_4250_: type_57;
-    var phi_4251_: bool;
-    var phi_4252_: u32;
-    var phi_4804_: bool;
-    var phi_4253_: type_38;
-    var phi_4254_: type_57;
-    var phi_4255_: u32;
-    var phi_4256_: bool;
-    var phi_4257_: u32;
-    var phi_4803_: bool;
-    var phi_4258_: type_38;
-    var phi_4259_: type_57;
-    var phi_4260_: u32;
-    var phi_4261_: bool;
-    var phi_4262_: u32;
-    var phi_4802_: bool;
-    var phi_967_: type_38;
-    var phi_970_: type_57;
-    var phi_972_: u32;
-    var phi_974_: bool;
-    var phi_976_: u32;
-    var phi_4263_: bool;
-    var phi_4801_: bool;
+    var phi_1226_: u32;
+    var phi_1263_: i32;
+    var phi_1285_: u32;
+    var phi_1286_: u32;
+    var phi_1294_: f32;
+    var phi_1295_: f32;
+    var phi_5136_: bool;
+    var phi_1384_: type_38;
+    var phi_1387_: type_57;
+    var phi_1389_: u32;
+    var phi_1391_: bool;
+    var phi_1393_: u32;
+    var phi_1404_: bool;
+    var phi_1490_: type_57;
+    var phi_1491_: bool;
+    var phi_1492_: u32;
+    var phi_3942_: u32;
+    var phi_3948_: u32;
+    var phi_4202_: u32;
+    var phi_4203_: u32;
+    var phi_4213_: u32;
+    var phi_4215_: u32;
+    var phi_4216_: bool;
+    var phi_4236_: u32;
+    var phi_4237_: u32;
+    var phi_4241_: type_58;
+    var phi_4585_: type_57;
+    var phi_4662_: type_57;
+    var phi_4663_: type_57;
+    var phi_4664_: u32;
+    var phi_4666_: type_57;
+    var phi_4667_: u32;
+    var phi_4668_: bool;
+    var phi_4677_: type_57;
+    var phi_4682_: type_57;
+    var phi_4683_: bool;
+    var phi_1511_: type_38;
+    var phi_1514_: type_8;
+    var phi_1515_: type_8;
+    var phi_1537_: type_8;
+    var phi_1578_: u32;
+    var phi_1584_: u32;
+    var phi_1594_: u32;
+    var phi_1610_: u32;
+    var phi_1643_: u32;
+    var phi_1649_: u32;
+    var phi_2094_: u32;
+    var phi_2112_: u32;
+    var phi_2130_: u32;
+    var phi_2150_: u32;
+    var phi_2168_: u32;
+    var phi_2186_: u32;
+    var phi_2206_: u32;
+    var phi_2224_: u32;
+    var phi_2242_: u32;
+    var phi_1811_: u32;
+    var phi_1826_: u32;
+    var phi_1836_: u32;
+    var phi_1857_: u32;
+    var phi_1878_: u32;
+    var phi_1905_: u32;
+    var phi_1920_: u32;
+    var phi_1930_: u32;
+    var phi_1951_: u32;
+    var phi_1972_: u32;
+    var phi_1999_: u32;
+    var phi_2014_: u32;
+    var phi_2024_: u32;
+    var phi_2045_: u32;
+    var phi_2066_: u32;
+    var phi_1673_: u32;
+    var phi_1719_: u32;
+    var phi_1765_: u32;
+    var phi_2248_: array<array<f32, 3>, 3>;
+    var phi_2365_: bool;
+    var phi_2394_: bool;
+    var phi_2795_: f32;
+    var phi_2796_: f32;
+    var phi_2797_: f32;
+    var phi_2798_: f32;
+    var phi_2799_: vec3<f32>;
+    var phi_2800_: vec3<f32>;
+    var phi_2801_: vec3<f32>;
+    var phi_2802_: vec3<f32>;
+    var phi_2833_: bool;
+    var phi_2842_: vec3<f32>;
+    var phi_3007_: f32;
+    var phi_3009_: f32;
+    var phi_3010_: bool;
+    var phi_3030_: f32;
+    var phi_3031_: f32;
+    var phi_3054_: type_21;
+    var phi_3056_: type_21;
+    var phi_3057_: bool;
+    var phi_3061_: type_21;
+    var phi_3062_: type_21;
+    var phi_3063_: type_21;
+    var phi_3064_: bool;
+    var phi_3068_: type_21;
+    var phi_3069_: bool;
+    var phi_3070_: type_21;
+    var phi_3071_: bool;
+    var phi_3072_: bool;
+    var phi_3073_: type_21;
+    var phi_3074_: bool;
+    var phi_3075_: bool;
+    var phi_3083_: type_21;
+    var phi_3084_: bool;
+    var phi_3088_: type_21;
+    var phi_3111_: u32;
+    var phi_3125_: i32;
+    var phi_3145_: vec3<f32>;
+    var phi_3146_: vec3<f32>;
+    var phi_3162_: vec3<f32>;
+    var phi_3163_: vec3<f32>;
+    var phi_3179_: vec3<f32>;
+    var phi_3180_: vec3<f32>;
+    var phi_3216_: vec3<f32>;
+    var phi_3398_: f32;
+    var phi_3416_: bool;
+    var phi_3417_: bool;
+    var phi_3436_: bool;
+    var phi_3437_: bool;
+    var phi_3443_: type_38;
+    var phi_3444_: type_38;
+    var phi_3445_: type_38;
+    var phi_1512_: type_38;
+    var phi_5130_: bool;
+    var phi_5373_: bool;
+    var phi_4685_: type_38;
+    var phi_4686_: type_57;
+    var phi_4687_: bool;
+    var phi_4688_: u32;
+    var phi_5372_: bool;
+    var phi_4689_: type_38;
+    var phi_4690_: type_57;
+    var phi_4691_: u32;
+    var phi_4692_: bool;
+    var phi_4693_: u32;
+    var phi_5371_: bool;
+    var phi_4694_: type_38;
+    var phi_4695_: type_57;
+    var phi_4696_: u32;
+    var phi_4697_: bool;
+    var phi_4698_: u32;
+    var phi_5370_: bool;
+    var phi_1385_: type_38;
+    var phi_1388_: type_57;
+    var phi_1390_: u32;
+    var phi_1392_: bool;
+    var phi_1394_: u32;
+    var phi_4699_: bool;
+    var phi_5369_: bool;
     var local_10: type_38;
-    var phi_4315_: type_21;
+    var phi_4737_: f32;
+    var phi_4739_: f32;
+    var phi_4740_: bool;
+    var phi_4741_: f32;
+    var phi_4742_: bool;
+    var phi_5038_: u32;
+    var phi_5056_: bool;
+    var phi_5059_: bool;
+    var phi_5072_: f32;
+    var phi_5073_: f32;
+    var phi_5078_: f32;
+    var phi_5079_: f32;
+    var phi_5080_: bool;
+    var phi_5088_: f32;
+    var phi_4757_: f32;
+    var phi_4758_: f32;
+    var phi_4770_: f32;
+    var phi_4775_: type_21;
     var local_11: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e98 = global;
-            let _e100 = arrayLength((&global_9.member));
-            let _e103 = arrayLength((&global_10.member));
-            let _e115 = arrayLength((&global_8.member));
-            let _e119 = global_3.member[0u][0u];
-            let _e123 = global_3.member[0u][1u];
-            let _e127 = global_3.member[0u][2u];
-            let _e131 = global_3.member[0u][3u];
-            let _e135 = global_3.member[1u][0u];
-            let _e139 = global_3.member[1u][1u];
-            let _e143 = global_3.member[1u][2u];
-            let _e147 = (_e98.x + (_e98.y * 2097152u));
-            let _e159 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e131) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
-            local = array<i32, 3>(bitcast<i32>(_e135), bitcast<i32>(_e139), bitcast<i32>(_e143));
-            let _e162 = (_e147 < arrayLength((&global_6.member)));
-            if _e162 {
-                if _e162 {
+            let _e104 = global;
+            let _e106 = arrayLength((&global_9.member));
+            let _e109 = arrayLength((&global_10.member));
+            let _e121 = arrayLength((&global_8.member));
+            let _e125 = global_3.member[0u][0u];
+            let _e129 = global_3.member[0u][1u];
+            let _e133 = global_3.member[0u][2u];
+            let _e137 = global_3.member[0u][3u];
+            let _e141 = global_3.member[1u][0u];
+            let _e145 = global_3.member[1u][1u];
+            let _e149 = global_3.member[1u][2u];
+            let _e153 = (_e104.x + (_e104.y * 2097152u));
+            let _e165 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e137) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e125), bitcast<i32>(_e129), bitcast<i32>(_e133));
+            local = array<i32, 3>(bitcast<i32>(_e141), bitcast<i32>(_e145), bitcast<i32>(_e149));
+            let _e168 = (_e153 < arrayLength((&global_6.member)));
+            if _e168 {
+                if _e168 {
                 } else {
                     break;
                 }
-                let _e166 = global_6.member[_e147].member_2;
-                phi_334_ = _e166;
+                let _e172 = global_6.member[_e153].member_2;
+                phi_416_ = _e172;
             } else {
-                phi_334_ = 4294967295u;
+                phi_416_ = 4294967295u;
             }
-            let _e168 = phi_334_;
-            let _e171 = global_1.member[0u];
-            let _e175 = global_2.member[0u][0u];
-            let _e179 = global_2.member[0u][1u];
-            let _e183 = global_2.member[0u][2u];
-            let _e187 = global_2.member[0u][3u];
-            let _e191 = global_2.member[1u][0u];
-            let _e195 = global_2.member[1u][1u];
-            let _e199 = global_2.member[1u][2u];
-            let _e203 = global_2.member[1u][3u];
-            let _e204 = bitcast<f32>(_e175);
-            let _e205 = bitcast<f32>(_e179);
-            let _e206 = bitcast<f32>(_e183);
-            let _e208 = bitcast<f32>(_e191);
-            let _e209 = array<u32, 3>(_e195, _e199, _e203);
-            let _e211 = bitcast<i32>(_e171);
-            if (_e211 < -126i) {
-                phi_378_ = -126i;
+            let _e174 = phi_416_;
+            let _e177 = global_1.member[0u];
+            let _e181 = global_2.member[0u][0u];
+            let _e185 = global_2.member[0u][1u];
+            let _e189 = global_2.member[0u][2u];
+            let _e193 = global_2.member[0u][3u];
+            let _e197 = global_2.member[1u][0u];
+            let _e201 = global_2.member[1u][1u];
+            let _e205 = global_2.member[1u][2u];
+            let _e209 = global_2.member[1u][3u];
+            let _e210 = bitcast<f32>(_e181);
+            let _e211 = bitcast<f32>(_e185);
+            let _e212 = bitcast<f32>(_e189);
+            let _e214 = bitcast<f32>(_e197);
+            let _e215 = array<u32, 3>(_e201, _e205, _e209);
+            let _e217 = bitcast<i32>(_e177);
+            if (_e217 < -126i) {
+                phi_460_ = -126i;
             } else {
-                phi_378_ = select(_e211, 127i, (_e211 > 127i));
+                phi_460_ = select(_e217, 127i, (_e217 > 127i));
             }
-            let _e216 = phi_378_;
-            let _e221 = bitcast<f32>((bitcast<u32>((_e216 + 127i)) << bitcast<u32>(23i)));
-            let _e227 = bitcast<f32>((bitcast<u32>(((_e211 - _e216) + 127i)) << bitcast<u32>(23i)));
-            if (_e187 == 0u) {
-                phi_402_ = type_35(array<f32, 3>(_e204, _e205, _e206), _e187, _e208, _e209);
+            let _e222 = phi_460_;
+            let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
+            let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
+            if (_e193 == 0u) {
+                phi_600_ = type_35(array<f32, 3>(_e210, _e211, _e212), _e193, _e214, _e215);
             } else {
-                phi_402_ = type_35(array<f32, 3>(((_e204 * _e221) * _e227), ((_e205 * _e221) * _e227), ((_e206 * _e221) * _e227)), _e187, ((_e208 * _e221) * _e227), _e209);
+                let _e235 = bitcast<u32>(_e210);
+                let _e237 = ((_e235 & 2139095040u) != 0u);
+                let _e252 = bitcast<u32>(_e211);
+                let _e254 = ((_e252 & 2139095040u) != 0u);
+                let _e269 = bitcast<u32>(_e212);
+                let _e271 = ((_e269 & 2139095040u) != 0u);
+                let _e287 = bitcast<u32>(_e214);
+                let _e289 = ((_e287 & 2139095040u) != 0u);
+                phi_600_ = type_35(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e210, _e237) * _e227) * select(0.00000011920929f, 1f, _e237)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e211, _e254) * _e227) * select(0.00000011920929f, 1f, _e254)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e212, _e271) * _e227) * select(0.00000011920929f, 1f, _e271)) * _e233)), _e193, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e287 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e287 & 2147483648u))), _e214, _e289) * _e227) * select(0.00000011920929f, 1f, _e289)) * _e233), _e215);
             }
-            let _e240 = phi_402_;
-            if _e162 {
-                let _e241 = (_e147 < arrayLength((&global_7.member)));
-                if _e241 {
-                    if _e162 {
+            let _e306 = phi_600_;
+            if _e168 {
+                let _e307 = (_e153 < arrayLength((&global_7.member)));
+                if _e307 {
+                    if _e168 {
                     } else {
                         break;
                     }
-                    let _e251 = global_6.member[_e147].member.member_2[0u];
-                    let _e253 = (bitcast<u32>(_e251) & 2147483647u);
-                    let _e259 = global_6.member[_e147].member.member_2[1u];
-                    let _e261 = (bitcast<u32>(_e259) & 2147483647u);
-                    let _e267 = global_6.member[_e147].member.member_2[2u];
-                    let _e269 = (bitcast<u32>(_e267) & 2147483647u);
-                    let _e275 = global_6.member[_e147].member.member[0u];
-                    let _e277 = (bitcast<u32>(_e275) & 2147483647u);
-                    let _e283 = global_6.member[_e147].member.member[1u];
-                    let _e285 = (bitcast<u32>(_e283) & 2147483647u);
-                    let _e291 = global_6.member[_e147].member.member[2u];
-                    let _e293 = (bitcast<u32>(_e291) & 2147483647u);
-                    let _e295 = select(_e261, _e253, (_e261 < _e253));
-                    let _e297 = select(_e269, _e295, (_e269 < _e295));
-                    let _e299 = select(_e277, _e297, (_e277 < _e297));
-                    let _e301 = select(_e285, _e299, (_e285 < _e299));
-                    let _e303 = select(_e293, _e301, (_e293 < _e301));
-                    let _e308 = global_6.member[_e147].member.member_1;
-                    let _e310 = (bitcast<u32>(_e308) & 2147483647u);
-                    let _e318 = global_6.member[_e147].member.member_3;
-                    let _e324 = (((select(_e310, _e303, (_e310 < _e303)) < 2139095040u) && ((bitcast<u32>(_e318) & 2147483647u) <= 2139095040u)) && (_e297 > 0u));
-                    if _e324 {
-                        let _e327 = (bitcast<u32>(bitcast<f32>(_e297)) & 2147483647u);
-                        if (_e327 >= 8388608u) {
-                            phi_508_ = (bitcast<i32>((_e327 >> bitcast<u32>(23i))) - 127i);
+                    let _e317 = global_6.member[_e153].member.member_2[0u];
+                    let _e319 = (bitcast<u32>(_e317) & 2147483647u);
+                    let _e325 = global_6.member[_e153].member.member_2[1u];
+                    let _e327 = (bitcast<u32>(_e325) & 2147483647u);
+                    let _e333 = global_6.member[_e153].member.member_2[2u];
+                    let _e335 = (bitcast<u32>(_e333) & 2147483647u);
+                    let _e341 = global_6.member[_e153].member.member[0u];
+                    let _e343 = (bitcast<u32>(_e341) & 2147483647u);
+                    let _e349 = global_6.member[_e153].member.member[1u];
+                    let _e351 = (bitcast<u32>(_e349) & 2147483647u);
+                    let _e357 = global_6.member[_e153].member.member[2u];
+                    let _e359 = (bitcast<u32>(_e357) & 2147483647u);
+                    let _e361 = select(_e327, _e319, (_e327 < _e319));
+                    let _e363 = select(_e335, _e361, (_e335 < _e361));
+                    let _e365 = select(_e343, _e363, (_e343 < _e363));
+                    let _e367 = select(_e351, _e365, (_e351 < _e365));
+                    let _e369 = select(_e359, _e367, (_e359 < _e367));
+                    let _e374 = global_6.member[_e153].member.member_1;
+                    let _e375 = bitcast<u32>(_e374);
+                    let _e376 = (_e375 & 2147483647u);
+                    let _e384 = global_6.member[_e153].member.member_3;
+                    let _e385 = bitcast<u32>(_e384);
+                    let _e386 = (_e385 & 2147483647u);
+                    let _e390 = (((select(_e376, _e369, (_e376 < _e369)) < 2139095040u) && (_e386 <= 2139095040u)) && (_e363 > 0u));
+                    if _e390 {
+                        let _e393 = (bitcast<u32>(bitcast<f32>(_e363)) & 2147483647u);
+                        if (_e393 >= 8388608u) {
+                            phi_706_ = (bitcast<i32>((_e393 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_508_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e327)), 32u, (_e327 == 0u))));
+                            phi_706_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e393)), 32u, (_e393 == 0u))));
                         }
-                        let _e341 = phi_508_;
-                        phi_509_ = _e341;
+                        let _e407 = phi_706_;
+                        phi_707_ = _e407;
                     } else {
-                        phi_509_ = 0i;
+                        phi_707_ = 0i;
                     }
-                    let _e343 = phi_509_;
-                    let _e344 = (_e253 == _e297);
-                    if _e344 {
-                        phi_519_ = true;
+                    let _e409 = phi_707_;
+                    let _e410 = (_e319 == _e363);
+                    if _e410 {
+                        phi_717_ = true;
                     } else {
-                        phi_519_ = (_e261 == _e297);
+                        phi_717_ = (_e327 == _e363);
                     }
-                    let _e347 = phi_519_;
-                    let _e348 = select(1u, 0u, _e344);
-                    if _e347 {
-                        let _e349 = (_e348 + 1u);
-                        phi_529_ = _e349;
-                        phi_530_ = _e349;
-                        phi_532_ = select(true, false, (_e349 == 2u));
+                    let _e413 = phi_717_;
+                    let _e414 = select(1u, 0u, _e410);
+                    if _e413 {
+                        let _e415 = (_e414 + 1u);
+                        phi_727_ = _e415;
+                        phi_728_ = _e415;
+                        phi_730_ = select(true, false, (_e415 == 2u));
                     } else {
-                        phi_529_ = u32();
-                        phi_530_ = 0u;
-                        phi_532_ = true;
+                        phi_727_ = u32();
+                        phi_728_ = 0u;
+                        phi_730_ = true;
                     }
-                    let _e353 = phi_529_;
-                    let _e355 = phi_530_;
-                    let _e357 = phi_532_;
-                    if _e357 {
-                        phi_537_ = (_e355 + 1u);
-                    } else {
-                        phi_537_ = 0u;
-                    }
-                    let _e361 = phi_537_;
-                    let _e362 = select(_e353, _e355, _e357);
-                    let _e363 = select(_e348, select(2u, _e348, _e347), _e357);
-                    let _e364 = -(_e343);
-                    if (_e364 < -126i) {
-                        phi_569_ = -126i;
-                    } else {
-                        phi_569_ = select(_e364, 127i, (_e364 > 127i));
-                    }
-                    let _e369 = phi_569_;
-                    let _e374 = bitcast<f32>((bitcast<u32>((_e369 + 127i)) << bitcast<u32>(23i)));
-                    let _e380 = bitcast<f32>((bitcast<u32>(((_e364 - _e369) + 127i)) << bitcast<u32>(23i)));
-                    let _e385 = global_6.member[_e147].member.member;
-                    let _e386 = (_e362 == 0u);
-                    if _e386 {
-                        phi_587_ = _e385[0];
-                    } else {
-                        phi_587_ = _e385[1];
-                    }
-                    let _e390 = phi_587_;
-                    let _e391 = (_e362 == 2u);
-                    if _e391 {
-                        phi_593_ = _e385[2];
-                    } else {
-                        phi_593_ = _e390;
-                    }
-                    let _e394 = phi_593_;
-                    let _e395 = global_6.member[_e147].member.member_2;
-                    if _e386 {
-                        phi_604_ = _e395[0];
-                    } else {
-                        phi_604_ = _e395[1];
-                    }
-                    let _e399 = phi_604_;
-                    if _e391 {
-                        phi_610_ = _e395[2];
-                    } else {
-                        phi_610_ = _e399;
-                    }
-                    let _e402 = phi_610_;
-                    let _e404 = ((_e402 * _e374) * _e380);
-                    let _e408 = (bitcast<f32>((bitcast<u32>(_e404) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e408 {
-                        let _e412 = (bitcast<f32>((bitcast<u32>(_e394) & 2147483647u)) * 0.00000011920929f);
-                        phi_633_ = select(0.00000000000011368684f, _e412, (_e412 > 0.00000000000011368684f));
-                    } else {
-                        phi_633_ = 0f;
-                    }
-                    let _e416 = phi_633_;
-                    let _e417 = (_e394 + _e416);
-                    let _e418 = (_e394 - _e416);
-                    let _e419 = select(_e404, 0f, _e408);
-                    if _e408 {
-                        phi_644_ = 38685626000000000000000000f;
-                    } else {
-                        phi_644_ = (1f / _e404);
-                    }
-                    let _e422 = phi_644_;
-                    let _e423 = (_e361 == 0u);
+                    let _e419 = phi_727_;
+                    let _e421 = phi_728_;
+                    let _e423 = phi_730_;
                     if _e423 {
-                        phi_653_ = _e385[0];
+                        phi_735_ = (_e421 + 1u);
                     } else {
-                        phi_653_ = _e385[1];
+                        phi_735_ = 0u;
                     }
-                    let _e427 = phi_653_;
-                    let _e428 = (_e361 == 2u);
-                    if _e428 {
-                        phi_659_ = _e385[2];
+                    let _e427 = phi_735_;
+                    let _e428 = select(_e419, _e421, _e423);
+                    let _e429 = select(_e414, select(2u, _e414, _e413), _e423);
+                    let _e430 = -(_e409);
+                    if (_e430 < -126i) {
+                        phi_767_ = -126i;
                     } else {
-                        phi_659_ = _e427;
+                        phi_767_ = select(_e430, 127i, (_e430 > 127i));
                     }
-                    let _e431 = phi_659_;
-                    if _e423 {
-                        phi_670_ = _e395[0];
+                    let _e435 = phi_767_;
+                    let _e440 = bitcast<f32>((bitcast<u32>((_e435 + 127i)) << bitcast<u32>(23i)));
+                    let _e446 = bitcast<f32>((bitcast<u32>(((_e430 - _e435) + 127i)) << bitcast<u32>(23i)));
+                    let _e451 = global_6.member[_e153].member.member;
+                    let _e452 = (_e428 == 0u);
+                    if _e452 {
+                        phi_785_ = _e451[0];
                     } else {
-                        phi_670_ = _e395[1];
+                        phi_785_ = _e451[1];
                     }
-                    let _e435 = phi_670_;
-                    if _e428 {
-                        phi_676_ = _e395[2];
+                    let _e456 = phi_785_;
+                    let _e457 = (_e428 == 2u);
+                    if _e457 {
+                        phi_791_ = _e451[2];
                     } else {
-                        phi_676_ = _e435;
+                        phi_791_ = _e456;
                     }
-                    let _e438 = phi_676_;
-                    let _e440 = ((_e438 * _e374) * _e380);
-                    let _e444 = (bitcast<f32>((bitcast<u32>(_e440) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e444 {
-                        let _e448 = (bitcast<f32>((bitcast<u32>(_e431) & 2147483647u)) * 0.00000011920929f);
-                        phi_699_ = select(0.00000000000011368684f, _e448, (_e448 > 0.00000000000011368684f));
+                    let _e460 = phi_791_;
+                    let _e461 = bitcast<u32>(_e460);
+                    let _e463 = ((_e461 & 2139095040u) != 0u);
+                    let _e475 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e461 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e461 & 2147483648u))), _e460, _e463) * select(0.00000011920929f, 1f, _e463));
+                    let _e476 = global_6.member[_e153].member.member_2;
+                    if _e452 {
+                        phi_831_ = _e476[0];
                     } else {
-                        phi_699_ = 0f;
+                        phi_831_ = _e476[1];
                     }
-                    let _e452 = phi_699_;
-                    let _e453 = (_e431 + _e452);
-                    let _e454 = (_e431 - _e452);
-                    let _e455 = select(_e440, 0f, _e444);
-                    if _e444 {
-                        phi_710_ = 38685626000000000000000000f;
+                    let _e480 = phi_831_;
+                    if _e457 {
+                        phi_837_ = _e476[2];
                     } else {
-                        phi_710_ = (1f / _e440);
+                        phi_837_ = _e480;
                     }
-                    let _e458 = phi_710_;
-                    let _e459 = (_e363 == 0u);
-                    if _e459 {
-                        phi_719_ = _e385[0];
+                    let _e483 = phi_837_;
+                    let _e484 = bitcast<u32>(_e483);
+                    let _e486 = ((_e484 & 2139095040u) != 0u);
+                    let _e500 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e484 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e484 & 2147483648u))), _e483, _e486) * _e440) * select(0.00000011920929f, 1f, _e486)) * _e446);
+                    let _e504 = (bitcast<f32>((bitcast<u32>(_e500) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e504 {
+                        let _e508 = (bitcast<f32>((bitcast<u32>(_e475) & 2147483647u)) * 0.00000011920929f);
+                        phi_889_ = select(0.00000000000011368684f, _e508, (_e508 > 0.00000000000011368684f));
                     } else {
-                        phi_719_ = _e385[1];
+                        phi_889_ = 0f;
                     }
-                    let _e463 = phi_719_;
-                    let _e464 = (_e363 == 2u);
-                    if _e464 {
-                        phi_725_ = _e385[2];
+                    let _e512 = phi_889_;
+                    let _e513 = (_e475 + _e512);
+                    let _e514 = (_e475 - _e512);
+                    let _e515 = select(_e500, 0f, _e504);
+                    if _e504 {
+                        phi_900_ = 38685626000000000000000000f;
                     } else {
-                        phi_725_ = _e463;
+                        phi_900_ = (1f / _e500);
                     }
-                    let _e467 = phi_725_;
-                    if _e459 {
-                        phi_736_ = _e395[0];
+                    let _e518 = phi_900_;
+                    let _e519 = (_e427 == 0u);
+                    if _e519 {
+                        phi_909_ = _e451[0];
                     } else {
-                        phi_736_ = _e395[1];
+                        phi_909_ = _e451[1];
                     }
-                    let _e471 = phi_736_;
-                    if _e464 {
-                        phi_742_ = _e395[2];
+                    let _e523 = phi_909_;
+                    let _e524 = (_e427 == 2u);
+                    if _e524 {
+                        phi_915_ = _e451[2];
                     } else {
-                        phi_742_ = _e471;
+                        phi_915_ = _e523;
                     }
-                    let _e474 = phi_742_;
-                    let _e476 = ((_e474 * _e374) * _e380);
-                    let _e480 = (bitcast<f32>((bitcast<u32>(_e476) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e480 {
-                        let _e484 = (bitcast<f32>((bitcast<u32>(_e467) & 2147483647u)) * 0.00000011920929f);
-                        phi_765_ = select(0.00000000000011368684f, _e484, (_e484 > 0.00000000000011368684f));
+                    let _e527 = phi_915_;
+                    let _e528 = bitcast<u32>(_e527);
+                    let _e530 = ((_e528 & 2139095040u) != 0u);
+                    let _e542 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e528 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e528 & 2147483648u))), _e527, _e530) * select(0.00000011920929f, 1f, _e530));
+                    if _e519 {
+                        phi_955_ = _e476[0];
                     } else {
-                        phi_765_ = 0f;
+                        phi_955_ = _e476[1];
                     }
-                    let _e488 = phi_765_;
-                    let _e489 = (_e467 + _e488);
-                    let _e490 = (_e467 - _e488);
-                    let _e491 = select(_e476, 0f, _e480);
-                    if _e480 {
-                        phi_776_ = 38685626000000000000000000f;
+                    let _e546 = phi_955_;
+                    if _e524 {
+                        phi_961_ = _e476[2];
                     } else {
-                        phi_776_ = (1f / _e476);
+                        phi_961_ = _e546;
                     }
-                    let _e494 = phi_776_;
-                    let _e497 = bitcast<f32>((bitcast<u32>(_e394) & 2147483647u));
-                    let _e500 = bitcast<f32>((bitcast<u32>(_e431) & 2147483647u));
-                    let _e502 = select(_e500, _e497, (_e497 > _e500));
-                    let _e505 = bitcast<f32>((bitcast<u32>(_e467) & 2147483647u));
-                    if (_e324 && (select(_e505, _e502, (_e502 > _e505)) <= 1099511600000f)) {
-                        let _e510 = (_e343 / 3i);
-                        let _e517 = bitcast<f32>((bitcast<u32>((_e510 + 127i)) << bitcast<u32>(23i)));
-                        let _e524 = bitcast<f32>((bitcast<u32>(((_e343 - (2i * _e510)) + 127i)) << bitcast<u32>(23i)));
-                        let _e525 = (((_e308 * _e517) * _e517) * _e524);
-                        let _e527 = select(340282350000000000000000000000000000000f, _e525, (_e525 < 340282350000000000000000000000000000000f));
-                        let _e532 = (((_e318 * _e517) * _e517) * _e524);
-                        let _e534 = select(340282350000000000000000000000000000000f, _e532, (_e532 < 340282350000000000000000000000000000000f));
-                        phi_876_ = select(-340282350000000000000000000000000000000f, _e534, (_e534 > -340282350000000000000000000000000000000f));
-                        phi_877_ = select(-340282350000000000000000000000000000000f, _e527, (_e527 > -340282350000000000000000000000000000000f));
+                    let _e549 = phi_961_;
+                    let _e550 = bitcast<u32>(_e549);
+                    let _e552 = ((_e550 & 2139095040u) != 0u);
+                    let _e566 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e550 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e550 & 2147483648u))), _e549, _e552) * _e440) * select(0.00000011920929f, 1f, _e552)) * _e446);
+                    let _e570 = (bitcast<f32>((bitcast<u32>(_e566) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e570 {
+                        let _e574 = (bitcast<f32>((bitcast<u32>(_e542) & 2147483647u)) * 0.00000011920929f);
+                        phi_1013_ = select(0.00000000000011368684f, _e574, (_e574 > 0.00000000000011368684f));
                     } else {
-                        phi_876_ = 0f;
-                        phi_877_ = 1f;
+                        phi_1013_ = 0f;
                     }
-                    let _e538 = phi_876_;
-                    let _e540 = phi_877_;
+                    let _e578 = phi_1013_;
+                    let _e579 = (_e542 + _e578);
+                    let _e580 = (_e542 - _e578);
+                    let _e581 = select(_e566, 0f, _e570);
+                    if _e570 {
+                        phi_1024_ = 38685626000000000000000000f;
+                    } else {
+                        phi_1024_ = (1f / _e566);
+                    }
+                    let _e584 = phi_1024_;
+                    let _e585 = (_e429 == 0u);
+                    if _e585 {
+                        phi_1033_ = _e451[0];
+                    } else {
+                        phi_1033_ = _e451[1];
+                    }
+                    let _e589 = phi_1033_;
+                    let _e590 = (_e429 == 2u);
+                    if _e590 {
+                        phi_1039_ = _e451[2];
+                    } else {
+                        phi_1039_ = _e589;
+                    }
+                    let _e593 = phi_1039_;
+                    let _e594 = bitcast<u32>(_e593);
+                    let _e596 = ((_e594 & 2139095040u) != 0u);
+                    let _e608 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e594 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e594 & 2147483648u))), _e593, _e596) * select(0.00000011920929f, 1f, _e596));
+                    if _e585 {
+                        phi_1079_ = _e476[0];
+                    } else {
+                        phi_1079_ = _e476[1];
+                    }
+                    let _e612 = phi_1079_;
+                    if _e590 {
+                        phi_1085_ = _e476[2];
+                    } else {
+                        phi_1085_ = _e612;
+                    }
+                    let _e615 = phi_1085_;
+                    let _e616 = bitcast<u32>(_e615);
+                    let _e618 = ((_e616 & 2139095040u) != 0u);
+                    let _e632 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e616 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e616 & 2147483648u))), _e615, _e618) * _e440) * select(0.00000011920929f, 1f, _e618)) * _e446);
+                    let _e636 = (bitcast<f32>((bitcast<u32>(_e632) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e636 {
+                        let _e640 = (bitcast<f32>((bitcast<u32>(_e608) & 2147483647u)) * 0.00000011920929f);
+                        phi_1137_ = select(0.00000000000011368684f, _e640, (_e640 > 0.00000000000011368684f));
+                    } else {
+                        phi_1137_ = 0f;
+                    }
+                    let _e644 = phi_1137_;
+                    let _e645 = (_e608 + _e644);
+                    let _e646 = (_e608 - _e644);
+                    let _e647 = select(_e632, 0f, _e636);
+                    if _e636 {
+                        phi_1148_ = 38685626000000000000000000f;
+                    } else {
+                        phi_1148_ = (1f / _e632);
+                    }
+                    let _e650 = phi_1148_;
+                    let _e653 = bitcast<f32>((bitcast<u32>(_e475) & 2147483647u));
+                    let _e656 = bitcast<f32>((bitcast<u32>(_e542) & 2147483647u));
+                    let _e658 = select(_e656, _e653, (_e653 > _e656));
+                    let _e661 = bitcast<f32>((bitcast<u32>(_e608) & 2147483647u));
+                    if (_e390 && (select(_e661, _e658, (_e658 > _e661)) <= 1099511600000f)) {
+                        let _e673 = ((_e376 & 8388607u) | (select(0u, 1u, ((_e376 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e676 = bitcast<i32>((_e376 >> bitcast<u32>(23i)));
+                        let _e680 = (_e673 == 0u);
+                        let _e683 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e673)), 32u, _e680)) - 8i);
+                        if (_e676 == 255i) {
+                            phi_1203_ = 255i;
+                        } else {
+                            phi_1203_ = (((_e676 + select(0i, 1i, (_e676 == 0i))) - _e683) + _e409);
+                        }
+                        let _e691 = phi_1203_;
+                        let _e701 = (_e691 <= 0i);
+                        if _e701 {
+                            phi_1226_ = u32();
+                        } else {
+                            if _e680 {
+                                phi_1225_ = u32();
+                            } else {
+                                phi_1225_ = select(((bitcast<u32>(_e691) << bitcast<u32>(23i)) | ((_e673 << bitcast<u32>(((_e683 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e691 >= 255i));
+                            }
+                            let _e705 = phi_1225_;
+                            phi_1226_ = _e705;
+                        }
+                        let _e707 = phi_1226_;
+                        let _e719 = ((_e386 & 8388607u) | (select(0u, 1u, ((_e386 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e722 = bitcast<i32>((_e386 >> bitcast<u32>(23i)));
+                        let _e726 = (_e719 == 0u);
+                        let _e729 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e719)), 32u, _e726)) - 8i);
+                        if (_e722 == 255i) {
+                            phi_1263_ = 255i;
+                        } else {
+                            phi_1263_ = (((_e722 + select(0i, 1i, (_e722 == 0i))) - _e729) + _e409);
+                        }
+                        let _e737 = phi_1263_;
+                        let _e747 = (_e737 <= 0i);
+                        if _e747 {
+                            phi_1286_ = u32();
+                        } else {
+                            if _e726 {
+                                phi_1285_ = u32();
+                            } else {
+                                phi_1285_ = select(((bitcast<u32>(_e737) << bitcast<u32>(23i)) | ((_e719 << bitcast<u32>(((_e729 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e737 >= 255i));
+                            }
+                            let _e751 = phi_1285_;
+                            phi_1286_ = _e751;
+                        }
+                        let _e753 = phi_1286_;
+                        phi_1294_ = bitcast<f32>(((_e385 & 2147483648u) | select(_e753, 0u, select(_e726, true, _e747))));
+                        phi_1295_ = bitcast<f32>(((_e375 & 2147483648u) | select(_e707, 0u, select(_e680, true, _e701))));
+                    } else {
+                        phi_1294_ = 0f;
+                        phi_1295_ = 1f;
+                    }
+                    let _e759 = phi_1294_;
+                    let _e761 = phi_1295_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -599,1475 +687,1574 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e544 = (_e362 % 3u);
-                    let _e545 = (_e544 < 3u);
-                    if _e545 {
+                    let _e765 = (_e428 % 3u);
+                    let _e766 = (_e765 < 3u);
+                    if _e766 {
                     } else {
                         break;
                     }
-                    let _e547 = local_1[_e544];
-                    let _e550 = (_e361 % 3u);
-                    let _e551 = (_e550 < 3u);
-                    if _e551 {
+                    let _e768 = local_1[_e765];
+                    let _e771 = (_e427 % 3u);
+                    let _e772 = (_e771 < 3u);
+                    if _e772 {
                     } else {
                         break;
                     }
-                    let _e553 = local_1[_e550];
-                    let _e556 = (_e363 % 3u);
-                    let _e557 = (_e556 < 3u);
-                    if _e557 {
+                    let _e774 = local_1[_e771];
+                    let _e777 = (_e429 % 3u);
+                    let _e778 = (_e777 < 3u);
+                    if _e778 {
                     } else {
                         break;
                     }
-                    let _e559 = local_1[_e556];
-                    if _e545 {
+                    let _e780 = local_1[_e777];
+                    if _e766 {
                     } else {
                         break;
                     }
-                    let _e564 = local[_e544];
-                    if _e551 {
+                    let _e785 = local[_e765];
+                    if _e772 {
                     } else {
                         break;
                     }
-                    let _e568 = local[_e550];
-                    if _e557 {
+                    let _e789 = local[_e771];
+                    if _e778 {
                     } else {
                         break;
                     }
-                    let _e572 = local[_e556];
-                    phi_4594_ = false;
-                    phi_966_ = type_38(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e538);
-                    phi_969_ = type_57(type_33(vec4<f32>((f32(_e547) * _e159), (f32(_e553) * _e159), (f32(_e559) * _e159), 0f), vec4<f32>((f32(_e564) * _e159), (f32(_e568) * _e159), (f32(_e572) * _e159), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
-                    phi_971_ = ((3u * _e100) + 1u);
-                    phi_973_ = (_e540 <= _e538);
-                    phi_975_ = 0u;
+                    let _e793 = local[_e777];
+                    phi_5136_ = false;
+                    phi_1384_ = type_38(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e759);
+                    phi_1387_ = type_57(type_33(vec4<f32>((f32(_e768) * _e165), (f32(_e774) * _e165), (f32(_e780) * _e165), 0f), vec4<f32>((f32(_e785) * _e165), (f32(_e789) * _e165), (f32(_e793) * _e165), 0f)), select(0u, 2147483648u, (_e106 == 0u)));
+                    phi_1389_ = ((3u * _e106) + 1u);
+                    phi_1391_ = (_e761 <= _e759);
+                    phi_1393_ = 0u;
                     loop {
-                        let _e582 = phi_4594_;
-                        let _e584 = phi_966_;
-                        let _e586 = phi_969_;
-                        let _e588 = phi_971_;
-                        let _e590 = phi_973_;
-                        let _e592 = phi_975_;
-                        local_10 = _e584;
-                        if _e590 {
-                            phi_986_ = true;
+                        let _e803 = phi_5136_;
+                        let _e805 = phi_1384_;
+                        let _e807 = phi_1387_;
+                        let _e809 = phi_1389_;
+                        let _e811 = phi_1391_;
+                        let _e813 = phi_1393_;
+                        local_10 = _e805;
+                        if _e811 {
+                            phi_1404_ = true;
                         } else {
-                            phi_986_ = (_e592 > 0u);
+                            phi_1404_ = (_e813 > 0u);
                         }
-                        let _e595 = phi_986_;
-                        if _e595 {
-                            let _e596 = (_e588 > 0u);
-                            if _e596 {
-                                if _e590 {
-                                    phi_1072_ = _e586;
-                                    phi_1073_ = _e590;
-                                    phi_1074_ = _e592;
+                        let _e816 = phi_1404_;
+                        if _e816 {
+                            let _e817 = (_e809 > 0u);
+                            if _e817 {
+                                if _e811 {
+                                    phi_1490_ = _e807;
+                                    phi_1491_ = _e811;
+                                    phi_1492_ = _e813;
                                 } else {
-                                    let _e597 = (_e592 - 1u);
-                                    let _e598 = (_e597 % 128u);
-                                    let _e599 = (_e598 < 128u);
-                                    if _e599 {
+                                    let _e818 = (_e813 - 1u);
+                                    let _e819 = (_e818 % 128u);
+                                    let _e820 = (_e819 < 128u);
+                                    if _e820 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e601 = local_7[_e598];
-                                    if _e599 {
+                                    let _e822 = local_7[_e819];
+                                    if _e820 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e603 = local_6[_e598];
-                                    if _e599 {
+                                    let _e824 = local_6[_e819];
+                                    if _e820 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e605 = local_5[_e598];
-                                    if _e599 {
+                                    let _e826 = local_5[_e819];
+                                    if _e820 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e607 = local_4[_e598];
-                                    if _e599 {
+                                    let _e828 = local_4[_e819];
+                                    if _e820 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e609 = local_3[_e598];
-                                    if _e599 {
+                                    let _e830 = local_3[_e819];
+                                    if _e820 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e611 = local_2[_e598];
-                                    if _e599 {
+                                    let _e832 = local_2[_e819];
+                                    if _e820 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e616 = local_8[_e598];
-                                    if _e599 {
+                                    let _e837 = local_8[_e819];
+                                    if _e820 {
                                     } else {
-                                        phi_4801_ = true;
+                                        phi_5369_ = true;
                                         break;
                                     }
-                                    let _e619 = local_9[_e598];
-                                    phi_1072_ = type_57(type_33(vec4<f32>(_e601, _e603, _e605, 0f), vec4<f32>(_e607, _e609, _e611, 0f)), _e616);
-                                    phi_1073_ = (_e619 <= _e584.member_1);
-                                    phi_1074_ = _e597;
+                                    let _e840 = local_9[_e819];
+                                    phi_1490_ = type_57(type_33(vec4<f32>(_e822, _e824, _e826, 0f), vec4<f32>(_e828, _e830, _e832, 0f)), _e837);
+                                    phi_1491_ = (_e840 <= _e805.member_1);
+                                    phi_1492_ = _e818;
                                 }
-                                let _e623 = phi_1072_;
-                                let _e625 = phi_1073_;
-                                let _e627 = phi_1074_;
-                                if _e625 {
-                                    let _e632 = (_e623.member_1 & 268435455u);
-                                    if ((_e623.member_1 & 2147483648u) != 0u) {
-                                        phi_1093_ = _e584;
-                                        phi_1096_ = type_8(0u, ((_e623.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e844 = phi_1490_;
+                                let _e846 = phi_1491_;
+                                let _e848 = phi_1492_;
+                                if _e846 {
+                                    let _e853 = (_e844.member_1 & 268435455u);
+                                    if ((_e844.member_1 & 2147483648u) != 0u) {
+                                        phi_1511_ = _e805;
+                                        phi_1514_ = type_8(0u, ((_e844.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1110 = phi_1093_;
-                                            let _e1112 = phi_1096_;
-                                            local_11 = _e1110;
-                                            if (_e1112.member < _e1112.member_1) {
-                                                phi_1097_ = type_8((_e1112.member + 1u), _e1112.member_1);
-                                                phi_1119_ = type_8(1u, _e1112.member);
+                                            let _e1337 = phi_1511_;
+                                            let _e1339 = phi_1514_;
+                                            local_11 = _e1337;
+                                            if (_e1339.member < _e1339.member_1) {
+                                                phi_1515_ = type_8((_e1339.member + 1u), _e1339.member_1);
+                                                phi_1537_ = type_8(1u, _e1339.member);
                                             } else {
-                                                phi_1097_ = _e1112;
-                                                phi_1119_ = type_8(0u, type_8().member_1);
+                                                phi_1515_ = _e1339;
+                                                phi_1537_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1125 = phi_1097_;
-                                            let _e1127 = phi_1119_;
-                                            let _e1131 = (bitcast<i32>(_e1127.member) != 0i);
-                                            if _e1131 {
-                                                let _e1136 = (_e623.member.member_1.x - _e623.member.member.x);
-                                                let _e1139 = (_e623.member.member_1.y - _e623.member.member.y);
-                                                let _e1142 = (_e623.member.member_1.z - _e623.member.member.z);
-                                                let _e1144 = select(_e1139, _e1136, (_e1136 > _e1139));
-                                                let _e1146 = select(_e1142, _e1144, (_e1144 > _e1142));
-                                                let _e1148 = (_e1146 < (1024f * _e159));
-                                                if _e1148 {
-                                                    phi_1160_ = 0u;
+                                            let _e1352 = phi_1515_;
+                                            let _e1354 = phi_1537_;
+                                            let _e1358 = (bitcast<i32>(_e1354.member) != 0i);
+                                            if _e1358 {
+                                                let _e1363 = (_e844.member.member_1.x - _e844.member.member.x);
+                                                let _e1366 = (_e844.member.member_1.y - _e844.member.member.y);
+                                                let _e1369 = (_e844.member.member_1.z - _e844.member.member.z);
+                                                let _e1371 = select(_e1366, _e1363, (_e1363 > _e1366));
+                                                let _e1373 = select(_e1369, _e1371, (_e1371 > _e1369));
+                                                let _e1375 = (_e1373 < (1024f * _e165));
+                                                if _e1375 {
+                                                    phi_1578_ = 0u;
                                                 } else {
-                                                    phi_1160_ = select(2u, 1u, (_e1146 < (2097152f * _e159)));
+                                                    phi_1578_ = select(2u, 1u, (_e1373 < (2097152f * _e165)));
                                                 }
-                                                let _e1153 = phi_1160_;
-                                                switch bitcast<i32>(_e1153) {
+                                                let _e1380 = phi_1578_;
+                                                switch bitcast<i32>(_e1380) {
                                                     case 0: {
-                                                        phi_1166_ = 1u;
+                                                        phi_1584_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1166_ = 2u;
+                                                        phi_1584_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1166_ = 3u;
+                                                        phi_1584_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1166_ = u32();
+                                                        phi_1584_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1156 = phi_1166_;
-                                                switch bitcast<i32>(_e1153) {
+                                                let _e1383 = phi_1584_;
+                                                switch bitcast<i32>(_e1380) {
                                                     case 0: {
-                                                        phi_1176_ = 1u;
+                                                        phi_1594_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1176_ = 2u;
+                                                        phi_1594_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1176_ = 3u;
+                                                        phi_1594_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1176_ = u32();
+                                                        phi_1594_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1163 = phi_1176_;
-                                                let _e1165 = ((_e632 + (_e1127.member_1 * ((3u * _e1156) + 1u))) + (3u * _e1163));
-                                                let _e1166 = (_e1165 < _e103);
-                                                if _e1166 {
-                                                    if _e1166 {
+                                                let _e1390 = phi_1594_;
+                                                let _e1392 = ((_e853 + (_e1354.member_1 * ((3u * _e1383) + 1u))) + (3u * _e1390));
+                                                let _e1393 = (_e1392 < _e109);
+                                                if _e1393 {
+                                                    if _e1393 {
                                                     } else {
-                                                        phi_4588_ = true;
+                                                        phi_5130_ = true;
                                                         break;
                                                     }
-                                                    let _e1168 = global_10.member[_e1165];
-                                                    phi_1192_ = _e1168;
+                                                    let _e1395 = global_10.member[_e1392];
+                                                    phi_1610_ = _e1395;
                                                 } else {
-                                                    phi_1192_ = 4294967295u;
+                                                    phi_1610_ = 4294967295u;
                                                 }
-                                                let _e1170 = phi_1192_;
-                                                if _e1148 {
-                                                    phi_1225_ = 0u;
+                                                let _e1397 = phi_1610_;
+                                                if _e1375 {
+                                                    phi_1643_ = 0u;
                                                 } else {
-                                                    phi_1225_ = select(2u, 1u, (_e1146 < (2097152f * _e159)));
+                                                    phi_1643_ = select(2u, 1u, (_e1373 < (2097152f * _e165)));
                                                 }
-                                                let _e1175 = phi_1225_;
-                                                switch bitcast<i32>(_e1175) {
+                                                let _e1402 = phi_1643_;
+                                                switch bitcast<i32>(_e1402) {
                                                     case 0: {
-                                                        phi_1231_ = 1u;
+                                                        phi_1649_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1231_ = 2u;
+                                                        phi_1649_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1231_ = 3u;
+                                                        phi_1649_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1231_ = u32();
+                                                        phi_1649_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1178 = phi_1231_;
-                                                let _e1182 = (_e632 + (_e1127.member_1 * ((3u * _e1178) + 1u)));
-                                                switch bitcast<i32>(_e1175) {
+                                                let _e1405 = phi_1649_;
+                                                let _e1409 = (_e853 + (_e1354.member_1 * ((3u * _e1405) + 1u)));
+                                                switch bitcast<i32>(_e1402) {
                                                     case 0: {
-                                                        let _e1448 = (_e1182 < _e103);
-                                                        if _e1448 {
-                                                            if _e1448 {
+                                                        let _e1684 = (_e1409 < _e109);
+                                                        if _e1684 {
+                                                            if _e1684 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1450 = global_10.member[_e1182];
-                                                            phi_1255_ = _e1450;
+                                                            let _e1686 = global_10.member[_e1409];
+                                                            phi_1673_ = _e1686;
                                                         } else {
-                                                            phi_1255_ = 0u;
+                                                            phi_1673_ = 0u;
                                                         }
-                                                        let _e1452 = phi_1255_;
-                                                        let _e1454 = ((10u * _e362) & 31u);
-                                                        let _e1463 = ((10u * _e361) & 31u);
-                                                        let _e1472 = ((10u * _e363) & 31u);
-                                                        let _e1481 = (_e1182 + 1u);
-                                                        let _e1482 = (_e1481 < _e103);
-                                                        if _e1482 {
-                                                            if _e1482 {
+                                                        let _e1688 = phi_1673_;
+                                                        let _e1690 = ((10u * _e428) & 31u);
+                                                        let _e1700 = ((10u * _e427) & 31u);
+                                                        let _e1710 = ((10u * _e429) & 31u);
+                                                        let _e1720 = (_e1409 + 1u);
+                                                        let _e1721 = (_e1720 < _e109);
+                                                        if _e1721 {
+                                                            if _e1721 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1484 = global_10.member[_e1481];
-                                                            phi_1298_ = _e1484;
+                                                            let _e1723 = global_10.member[_e1720];
+                                                            phi_1719_ = _e1723;
                                                         } else {
-                                                            phi_1298_ = 0u;
+                                                            phi_1719_ = 0u;
                                                         }
-                                                        let _e1486 = phi_1298_;
-                                                        let _e1509 = (_e1182 + 2u);
-                                                        let _e1510 = (_e1509 < _e103);
-                                                        if _e1510 {
-                                                            if _e1510 {
+                                                        let _e1725 = phi_1719_;
+                                                        let _e1751 = (_e1409 + 2u);
+                                                        let _e1752 = (_e1751 < _e109);
+                                                        if _e1752 {
+                                                            if _e1752 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1512 = global_10.member[_e1509];
-                                                            phi_1341_ = _e1512;
+                                                            let _e1754 = global_10.member[_e1751];
+                                                            phi_1765_ = _e1754;
                                                         } else {
-                                                            phi_1341_ = 0u;
+                                                            phi_1765_ = 0u;
                                                         }
-                                                        let _e1514 = phi_1341_;
-                                                        phi_1812_ = array<array<f32, 3>, 3>(array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>(((_e1452 >> bitcast<u32>(_e1454)) & 1023u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>(((_e1452 >> bitcast<u32>(_e1463)) & 1023u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>(((_e1452 >> bitcast<u32>(_e1472)) & 1023u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>(((_e1486 >> bitcast<u32>(_e1454)) & 1023u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>(((_e1486 >> bitcast<u32>(_e1463)) & 1023u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>(((_e1486 >> bitcast<u32>(_e1472)) & 1023u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>(((_e1514 >> bitcast<u32>(_e1454)) & 1023u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>(((_e1514 >> bitcast<u32>(_e1463)) & 1023u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>(((_e1514 >> bitcast<u32>(_e1472)) & 1023u))) * _e159))));
+                                                        let _e1756 = phi_1765_;
+                                                        phi_2248_ = array<array<f32, 3>, 3>(array<f32, 3>((_e844.member.member.x + ((bitcast<f32>((1258291200u | ((_e1688 >> bitcast<u32>(_e1690)) & 1023u))) - 8388608f) * _e165)), (_e844.member.member.y + ((bitcast<f32>((1258291200u | ((_e1688 >> bitcast<u32>(_e1700)) & 1023u))) - 8388608f) * _e165)), (_e844.member.member.z + ((bitcast<f32>((1258291200u | ((_e1688 >> bitcast<u32>(_e1710)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e844.member.member.x + ((bitcast<f32>((1258291200u | ((_e1725 >> bitcast<u32>(_e1690)) & 1023u))) - 8388608f) * _e165)), (_e844.member.member.y + ((bitcast<f32>((1258291200u | ((_e1725 >> bitcast<u32>(_e1700)) & 1023u))) - 8388608f) * _e165)), (_e844.member.member.z + ((bitcast<f32>((1258291200u | ((_e1725 >> bitcast<u32>(_e1710)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e844.member.member.x + ((bitcast<f32>((1258291200u | ((_e1756 >> bitcast<u32>(_e1690)) & 1023u))) - 8388608f) * _e165)), (_e844.member.member.y + ((bitcast<f32>((1258291200u | ((_e1756 >> bitcast<u32>(_e1700)) & 1023u))) - 8388608f) * _e165)), (_e844.member.member.z + ((bitcast<f32>((1258291200u | ((_e1756 >> bitcast<u32>(_e1710)) & 1023u))) - 8388608f) * _e165))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1271 = (_e1182 < _e103);
-                                                        if _e1271 {
-                                                            if _e1271 {
+                                                        let _e1498 = (_e1409 < _e109);
+                                                        if _e1498 {
+                                                            if _e1498 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1273 = global_10.member[_e1182];
-                                                            phi_1384_ = _e1273;
+                                                            let _e1500 = global_10.member[_e1409];
+                                                            phi_1811_ = _e1500;
                                                         } else {
-                                                            phi_1384_ = 0u;
+                                                            phi_1811_ = 0u;
                                                         }
-                                                        let _e1275 = phi_1384_;
-                                                        let _e1276 = (_e1182 + 1u);
-                                                        let _e1277 = (_e1276 < _e103);
-                                                        if _e1277 {
-                                                            if _e1277 {
+                                                        let _e1502 = phi_1811_;
+                                                        let _e1503 = (_e1409 + 1u);
+                                                        let _e1504 = (_e1503 < _e109);
+                                                        if _e1504 {
+                                                            if _e1504 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1279 = global_10.member[_e1276];
-                                                            phi_1399_ = _e1279;
+                                                            let _e1506 = global_10.member[_e1503];
+                                                            phi_1826_ = _e1506;
                                                         } else {
-                                                            phi_1399_ = 0u;
+                                                            phi_1826_ = 0u;
                                                         }
-                                                        let _e1281 = phi_1399_;
-                                                        let _e1282 = (_e362 == 1u);
-                                                        if _e1282 {
-                                                            phi_1409_ = ((_e1275 >> bitcast<u32>(21i)) | (_e1281 << bitcast<u32>(11i)));
+                                                        let _e1508 = phi_1826_;
+                                                        let _e1509 = (_e428 == 1u);
+                                                        if _e1509 {
+                                                            phi_1836_ = ((_e1502 >> bitcast<u32>(21i)) | (_e1508 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1409_ = (_e1281 >> bitcast<u32>(10i));
+                                                            phi_1836_ = (_e1508 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1291 = phi_1409_;
-                                                        let _e1298 = (_e361 == 1u);
-                                                        if _e1298 {
-                                                            phi_1429_ = ((_e1275 >> bitcast<u32>(21i)) | (_e1281 << bitcast<u32>(11i)));
+                                                        let _e1518 = phi_1836_;
+                                                        let _e1526 = (_e427 == 1u);
+                                                        if _e1526 {
+                                                            phi_1857_ = ((_e1502 >> bitcast<u32>(21i)) | (_e1508 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1429_ = (_e1281 >> bitcast<u32>(10i));
+                                                            phi_1857_ = (_e1508 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1307 = phi_1429_;
-                                                        let _e1314 = (_e363 == 1u);
-                                                        if _e1314 {
-                                                            phi_1449_ = ((_e1275 >> bitcast<u32>(21i)) | (_e1281 << bitcast<u32>(11i)));
+                                                        let _e1535 = phi_1857_;
+                                                        let _e1543 = (_e429 == 1u);
+                                                        if _e1543 {
+                                                            phi_1878_ = ((_e1502 >> bitcast<u32>(21i)) | (_e1508 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1449_ = (_e1281 >> bitcast<u32>(10i));
+                                                            phi_1878_ = (_e1508 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1323 = phi_1449_;
-                                                        let _e1331 = (_e1182 + 2u);
-                                                        let _e1332 = (_e1331 < _e103);
-                                                        if _e1332 {
-                                                            if _e1332 {
+                                                        let _e1552 = phi_1878_;
+                                                        let _e1561 = (_e1409 + 2u);
+                                                        let _e1562 = (_e1561 < _e109);
+                                                        if _e1562 {
+                                                            if _e1562 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1334 = global_10.member[_e1331];
-                                                            phi_1475_ = _e1334;
+                                                            let _e1564 = global_10.member[_e1561];
+                                                            phi_1905_ = _e1564;
                                                         } else {
-                                                            phi_1475_ = 0u;
+                                                            phi_1905_ = 0u;
                                                         }
-                                                        let _e1336 = phi_1475_;
-                                                        let _e1337 = (_e1182 + 3u);
-                                                        let _e1338 = (_e1337 < _e103);
-                                                        if _e1338 {
-                                                            if _e1338 {
+                                                        let _e1566 = phi_1905_;
+                                                        let _e1567 = (_e1409 + 3u);
+                                                        let _e1568 = (_e1567 < _e109);
+                                                        if _e1568 {
+                                                            if _e1568 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1340 = global_10.member[_e1337];
-                                                            phi_1490_ = _e1340;
+                                                            let _e1570 = global_10.member[_e1567];
+                                                            phi_1920_ = _e1570;
                                                         } else {
-                                                            phi_1490_ = 0u;
+                                                            phi_1920_ = 0u;
                                                         }
-                                                        let _e1342 = phi_1490_;
-                                                        if _e1282 {
-                                                            phi_1500_ = ((_e1336 >> bitcast<u32>(21i)) | (_e1342 << bitcast<u32>(11i)));
+                                                        let _e1572 = phi_1920_;
+                                                        if _e1509 {
+                                                            phi_1930_ = ((_e1566 >> bitcast<u32>(21i)) | (_e1572 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1500_ = (_e1342 >> bitcast<u32>(10i));
+                                                            phi_1930_ = (_e1572 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1351 = phi_1500_;
-                                                        if _e1298 {
-                                                            phi_1520_ = ((_e1336 >> bitcast<u32>(21i)) | (_e1342 << bitcast<u32>(11i)));
+                                                        let _e1581 = phi_1930_;
+                                                        if _e1526 {
+                                                            phi_1951_ = ((_e1566 >> bitcast<u32>(21i)) | (_e1572 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1520_ = (_e1342 >> bitcast<u32>(10i));
+                                                            phi_1951_ = (_e1572 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1366 = phi_1520_;
-                                                        if _e1314 {
-                                                            phi_1540_ = ((_e1336 >> bitcast<u32>(21i)) | (_e1342 << bitcast<u32>(11i)));
+                                                        let _e1597 = phi_1951_;
+                                                        if _e1543 {
+                                                            phi_1972_ = ((_e1566 >> bitcast<u32>(21i)) | (_e1572 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1540_ = (_e1342 >> bitcast<u32>(10i));
+                                                            phi_1972_ = (_e1572 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1381 = phi_1540_;
-                                                        let _e1389 = (_e1182 + 4u);
-                                                        let _e1390 = (_e1389 < _e103);
-                                                        if _e1390 {
-                                                            if _e1390 {
+                                                        let _e1613 = phi_1972_;
+                                                        let _e1622 = (_e1409 + 4u);
+                                                        let _e1623 = (_e1622 < _e109);
+                                                        if _e1623 {
+                                                            if _e1623 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1392 = global_10.member[_e1389];
-                                                            phi_1566_ = _e1392;
+                                                            let _e1625 = global_10.member[_e1622];
+                                                            phi_1999_ = _e1625;
                                                         } else {
-                                                            phi_1566_ = 0u;
+                                                            phi_1999_ = 0u;
                                                         }
-                                                        let _e1394 = phi_1566_;
-                                                        let _e1395 = (_e1182 + 5u);
-                                                        let _e1396 = (_e1395 < _e103);
-                                                        if _e1396 {
-                                                            if _e1396 {
+                                                        let _e1627 = phi_1999_;
+                                                        let _e1628 = (_e1409 + 5u);
+                                                        let _e1629 = (_e1628 < _e109);
+                                                        if _e1629 {
+                                                            if _e1629 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1398 = global_10.member[_e1395];
-                                                            phi_1581_ = _e1398;
+                                                            let _e1631 = global_10.member[_e1628];
+                                                            phi_2014_ = _e1631;
                                                         } else {
-                                                            phi_1581_ = 0u;
+                                                            phi_2014_ = 0u;
                                                         }
-                                                        let _e1400 = phi_1581_;
-                                                        if _e1282 {
-                                                            phi_1591_ = ((_e1394 >> bitcast<u32>(21i)) | (_e1400 << bitcast<u32>(11i)));
+                                                        let _e1633 = phi_2014_;
+                                                        if _e1509 {
+                                                            phi_2024_ = ((_e1627 >> bitcast<u32>(21i)) | (_e1633 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1591_ = (_e1400 >> bitcast<u32>(10i));
+                                                            phi_2024_ = (_e1633 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1409 = phi_1591_;
-                                                        if _e1298 {
-                                                            phi_1611_ = ((_e1394 >> bitcast<u32>(21i)) | (_e1400 << bitcast<u32>(11i)));
+                                                        let _e1642 = phi_2024_;
+                                                        if _e1526 {
+                                                            phi_2045_ = ((_e1627 >> bitcast<u32>(21i)) | (_e1633 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1611_ = (_e1400 >> bitcast<u32>(10i));
+                                                            phi_2045_ = (_e1633 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1424 = phi_1611_;
-                                                        if _e1314 {
-                                                            phi_1631_ = ((_e1394 >> bitcast<u32>(21i)) | (_e1400 << bitcast<u32>(11i)));
+                                                        let _e1658 = phi_2045_;
+                                                        if _e1543 {
+                                                            phi_2066_ = ((_e1627 >> bitcast<u32>(21i)) | (_e1633 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1631_ = (_e1400 >> bitcast<u32>(10i));
+                                                            phi_2066_ = (_e1633 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1439 = phi_1631_;
-                                                        phi_1812_ = array<array<f32, 3>, 3>(array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>((select(_e1291, _e1275, _e386) & 2097151u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>((select(_e1307, _e1275, _e423) & 2097151u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>((select(_e1323, _e1275, _e459) & 2097151u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>((select(_e1351, _e1336, _e386) & 2097151u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>((select(_e1366, _e1336, _e423) & 2097151u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>((select(_e1381, _e1336, _e459) & 2097151u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>((select(_e1409, _e1394, _e386) & 2097151u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>((select(_e1424, _e1394, _e423) & 2097151u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>((select(_e1439, _e1394, _e459) & 2097151u))) * _e159))));
+                                                        let _e1674 = phi_2066_;
+                                                        phi_2248_ = array<array<f32, 3>, 3>(array<f32, 3>((_e844.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1518, _e1502, _e452) & 2097151u))) - 8388608f) * _e165)), (_e844.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1535, _e1502, _e519) & 2097151u))) - 8388608f) * _e165)), (_e844.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1552, _e1502, _e585) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e844.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1581, _e1566, _e452) & 2097151u))) - 8388608f) * _e165)), (_e844.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1597, _e1566, _e519) & 2097151u))) - 8388608f) * _e165)), (_e844.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1613, _e1566, _e585) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e844.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1642, _e1627, _e452) & 2097151u))) - 8388608f) * _e165)), (_e844.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1658, _e1627, _e519) & 2097151u))) - 8388608f) * _e165)), (_e844.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1674, _e1627, _e585) & 2097151u))) - 8388608f) * _e165))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1184 = (_e1182 + _e362);
-                                                        let _e1185 = (_e1184 < _e103);
-                                                        if _e1185 {
-                                                            if _e1185 {
+                                                        let _e1411 = (_e1409 + _e428);
+                                                        let _e1412 = (_e1411 < _e109);
+                                                        if _e1412 {
+                                                            if _e1412 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1187 = global_10.member[_e1184];
-                                                            phi_1658_ = _e1187;
+                                                            let _e1414 = global_10.member[_e1411];
+                                                            phi_2094_ = _e1414;
                                                         } else {
-                                                            phi_1658_ = 0u;
+                                                            phi_2094_ = 0u;
                                                         }
-                                                        let _e1189 = phi_1658_;
-                                                        let _e1193 = (_e1182 + _e361);
-                                                        let _e1194 = (_e1193 < _e103);
-                                                        if _e1194 {
-                                                            if _e1194 {
+                                                        let _e1416 = phi_2094_;
+                                                        let _e1420 = (_e1409 + _e427);
+                                                        let _e1421 = (_e1420 < _e109);
+                                                        if _e1421 {
+                                                            if _e1421 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1196 = global_10.member[_e1193];
-                                                            phi_1676_ = _e1196;
+                                                            let _e1423 = global_10.member[_e1420];
+                                                            phi_2112_ = _e1423;
                                                         } else {
-                                                            phi_1676_ = 0u;
+                                                            phi_2112_ = 0u;
                                                         }
-                                                        let _e1198 = phi_1676_;
-                                                        let _e1202 = (_e1182 + _e363);
-                                                        let _e1203 = (_e1202 < _e103);
-                                                        if _e1203 {
-                                                            if _e1203 {
+                                                        let _e1425 = phi_2112_;
+                                                        let _e1429 = (_e1409 + _e429);
+                                                        let _e1430 = (_e1429 < _e109);
+                                                        if _e1430 {
+                                                            if _e1430 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1205 = global_10.member[_e1202];
-                                                            phi_1694_ = _e1205;
+                                                            let _e1432 = global_10.member[_e1429];
+                                                            phi_2130_ = _e1432;
                                                         } else {
-                                                            phi_1694_ = 0u;
+                                                            phi_2130_ = 0u;
                                                         }
-                                                        let _e1207 = phi_1694_;
-                                                        let _e1212 = (_e1182 + 3u);
-                                                        let _e1213 = (_e1212 + _e362);
-                                                        let _e1214 = (_e1213 < _e103);
-                                                        if _e1214 {
-                                                            if _e1214 {
+                                                        let _e1434 = phi_2130_;
+                                                        let _e1439 = (_e1409 + 3u);
+                                                        let _e1440 = (_e1439 + _e428);
+                                                        let _e1441 = (_e1440 < _e109);
+                                                        if _e1441 {
+                                                            if _e1441 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1216 = global_10.member[_e1213];
-                                                            phi_1714_ = _e1216;
+                                                            let _e1443 = global_10.member[_e1440];
+                                                            phi_2150_ = _e1443;
                                                         } else {
-                                                            phi_1714_ = 0u;
+                                                            phi_2150_ = 0u;
                                                         }
-                                                        let _e1218 = phi_1714_;
-                                                        let _e1222 = (_e1212 + _e361);
-                                                        let _e1223 = (_e1222 < _e103);
-                                                        if _e1223 {
-                                                            if _e1223 {
+                                                        let _e1445 = phi_2150_;
+                                                        let _e1449 = (_e1439 + _e427);
+                                                        let _e1450 = (_e1449 < _e109);
+                                                        if _e1450 {
+                                                            if _e1450 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1225 = global_10.member[_e1222];
-                                                            phi_1732_ = _e1225;
+                                                            let _e1452 = global_10.member[_e1449];
+                                                            phi_2168_ = _e1452;
                                                         } else {
-                                                            phi_1732_ = 0u;
+                                                            phi_2168_ = 0u;
                                                         }
-                                                        let _e1227 = phi_1732_;
-                                                        let _e1231 = (_e1212 + _e363);
-                                                        let _e1232 = (_e1231 < _e103);
-                                                        if _e1232 {
-                                                            if _e1232 {
+                                                        let _e1454 = phi_2168_;
+                                                        let _e1458 = (_e1439 + _e429);
+                                                        let _e1459 = (_e1458 < _e109);
+                                                        if _e1459 {
+                                                            if _e1459 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1234 = global_10.member[_e1231];
-                                                            phi_1750_ = _e1234;
+                                                            let _e1461 = global_10.member[_e1458];
+                                                            phi_2186_ = _e1461;
                                                         } else {
-                                                            phi_1750_ = 0u;
+                                                            phi_2186_ = 0u;
                                                         }
-                                                        let _e1236 = phi_1750_;
-                                                        let _e1241 = (_e1182 + 6u);
-                                                        let _e1242 = (_e1241 + _e362);
-                                                        let _e1243 = (_e1242 < _e103);
-                                                        if _e1243 {
-                                                            if _e1243 {
+                                                        let _e1463 = phi_2186_;
+                                                        let _e1468 = (_e1409 + 6u);
+                                                        let _e1469 = (_e1468 + _e428);
+                                                        let _e1470 = (_e1469 < _e109);
+                                                        if _e1470 {
+                                                            if _e1470 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1245 = global_10.member[_e1242];
-                                                            phi_1770_ = _e1245;
+                                                            let _e1472 = global_10.member[_e1469];
+                                                            phi_2206_ = _e1472;
                                                         } else {
-                                                            phi_1770_ = 0u;
+                                                            phi_2206_ = 0u;
                                                         }
-                                                        let _e1247 = phi_1770_;
-                                                        let _e1251 = (_e1241 + _e361);
-                                                        let _e1252 = (_e1251 < _e103);
-                                                        if _e1252 {
-                                                            if _e1252 {
+                                                        let _e1474 = phi_2206_;
+                                                        let _e1478 = (_e1468 + _e427);
+                                                        let _e1479 = (_e1478 < _e109);
+                                                        if _e1479 {
+                                                            if _e1479 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1254 = global_10.member[_e1251];
-                                                            phi_1788_ = _e1254;
+                                                            let _e1481 = global_10.member[_e1478];
+                                                            phi_2224_ = _e1481;
                                                         } else {
-                                                            phi_1788_ = 0u;
+                                                            phi_2224_ = 0u;
                                                         }
-                                                        let _e1256 = phi_1788_;
-                                                        let _e1260 = (_e1241 + _e363);
-                                                        let _e1261 = (_e1260 < _e103);
-                                                        if _e1261 {
-                                                            if _e1261 {
+                                                        let _e1483 = phi_2224_;
+                                                        let _e1487 = (_e1468 + _e429);
+                                                        let _e1488 = (_e1487 < _e109);
+                                                        if _e1488 {
+                                                            if _e1488 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e1263 = global_10.member[_e1260];
-                                                            phi_1806_ = _e1263;
+                                                            let _e1490 = global_10.member[_e1487];
+                                                            phi_2242_ = _e1490;
                                                         } else {
-                                                            phi_1806_ = 0u;
+                                                            phi_2242_ = 0u;
                                                         }
-                                                        let _e1265 = phi_1806_;
-                                                        phi_1812_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1189)) * _e159), (f32(bitcast<i32>(_e1198)) * _e159), (f32(bitcast<i32>(_e1207)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1218)) * _e159), (f32(bitcast<i32>(_e1227)) * _e159), (f32(bitcast<i32>(_e1236)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1247)) * _e159), (f32(bitcast<i32>(_e1256)) * _e159), (f32(bitcast<i32>(_e1265)) * _e159)));
+                                                        let _e1492 = phi_2242_;
+                                                        phi_2248_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1416)) * _e165), (f32(bitcast<i32>(_e1425)) * _e165), (f32(bitcast<i32>(_e1434)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1445)) * _e165), (f32(bitcast<i32>(_e1454)) * _e165), (f32(bitcast<i32>(_e1463)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1474)) * _e165), (f32(bitcast<i32>(_e1483)) * _e165), (f32(bitcast<i32>(_e1492)) * _e165)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1812_ = array<array<f32, 3>, 3>();
+                                                        phi_2248_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1539 = phi_1812_;
-                                                let _e1547 = (_e1539[0][2] - _e467);
-                                                let _e1550 = (((_e1539[0][0] - _e394) * _e491) - (_e1547 * _e419));
-                                                let _e1553 = (((_e1539[0][1] - _e431) * _e491) - (_e1547 * _e455));
-                                                let _e1560 = (_e1539[1][2] - _e467);
-                                                let _e1563 = (((_e1539[1][0] - _e394) * _e491) - (_e1560 * _e419));
-                                                let _e1566 = (((_e1539[1][1] - _e431) * _e491) - (_e1560 * _e455));
-                                                let _e1573 = (_e1539[2][2] - _e467);
-                                                let _e1576 = (((_e1539[2][0] - _e394) * _e491) - (_e1573 * _e419));
-                                                let _e1579 = (((_e1539[2][1] - _e431) * _e491) - (_e1573 * _e455));
-                                                let _e1580 = (_e1576 * _e1566);
-                                                let _e1581 = (_e1579 * _e1563);
-                                                let _e1582 = (_e1550 * _e1579);
-                                                let _e1583 = (_e1553 * _e1576);
-                                                let _e1584 = (_e1563 * _e1553);
-                                                let _e1585 = (_e1566 * _e1550);
-                                                let _e1590 = (((_e1580 >= _e1581) && (_e1582 >= _e1583)) && (_e1584 >= _e1585));
-                                                if (_e1590 || (((_e1580 <= _e1581) && (_e1582 <= _e1583)) && (_e1584 <= _e1585))) {
-                                                    let _e1597 = select(-1f, 1f, _e1590);
-                                                    let _e1599 = ((_e1580 - _e1581) * _e1597);
-                                                    let _e1601 = select(0f, _e1599, (_e1599 > 0f));
-                                                    let _e1603 = ((_e1582 - _e1583) * _e1597);
-                                                    let _e1605 = select(0f, _e1603, (_e1603 > 0f));
-                                                    let _e1607 = ((_e1584 - _e1585) * _e1597);
-                                                    let _e1609 = select(0f, _e1607, (_e1607 > 0f));
-                                                    let _e1611 = ((_e1601 + _e1605) + _e1609);
-                                                    if (_e1611 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2637_ = type_21();
-                                                        phi_2638_ = true;
-                                                        phi_2639_ = false;
+                                                let _e1784 = phi_2248_;
+                                                let _e1792 = (_e1784[0][2] - _e608);
+                                                let _e1795 = (((_e1784[0][0] - _e475) * _e647) - (_e1792 * _e515));
+                                                let _e1798 = (((_e1784[0][1] - _e542) * _e647) - (_e1792 * _e581));
+                                                let _e1805 = (_e1784[1][2] - _e608);
+                                                let _e1808 = (((_e1784[1][0] - _e475) * _e647) - (_e1805 * _e515));
+                                                let _e1811 = (((_e1784[1][1] - _e542) * _e647) - (_e1805 * _e581));
+                                                let _e1818 = (_e1784[2][2] - _e608);
+                                                let _e1821 = (((_e1784[2][0] - _e475) * _e647) - (_e1818 * _e515));
+                                                let _e1824 = (((_e1784[2][1] - _e542) * _e647) - (_e1818 * _e581));
+                                                let _e1825 = (_e1821 * _e1811);
+                                                let _e1826 = (_e1824 * _e1808);
+                                                let _e1827 = (_e1795 * _e1824);
+                                                let _e1828 = (_e1798 * _e1821);
+                                                let _e1829 = (_e1808 * _e1798);
+                                                let _e1830 = (_e1811 * _e1795);
+                                                let _e1835 = (((_e1825 >= _e1826) && (_e1827 >= _e1828)) && (_e1829 >= _e1830));
+                                                if (_e1835 || (((_e1825 <= _e1826) && (_e1827 <= _e1828)) && (_e1829 <= _e1830))) {
+                                                    let _e1842 = select(-1f, 1f, _e1835);
+                                                    let _e1844 = ((_e1825 - _e1826) * _e1842);
+                                                    let _e1846 = select(0f, _e1844, (_e1844 > 0f));
+                                                    let _e1848 = ((_e1827 - _e1828) * _e1842);
+                                                    let _e1850 = select(0f, _e1848, (_e1848 > 0f));
+                                                    let _e1852 = ((_e1829 - _e1830) * _e1842);
+                                                    let _e1854 = select(0f, _e1852, (_e1852 > 0f));
+                                                    let _e1856 = ((_e1846 + _e1850) + _e1854);
+                                                    if (_e1856 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_3073_ = type_21();
+                                                        phi_3074_ = true;
+                                                        phi_3075_ = false;
                                                     } else {
-                                                        let _e1614 = select(_e1563, _e1550, (_e1550 < _e1563));
-                                                        if (select(_e1576, _e1614, (_e1614 < _e1576)) > 0f) {
-                                                            phi_1929_ = true;
+                                                        let _e1859 = select(_e1808, _e1795, (_e1795 < _e1808));
+                                                        if (select(_e1821, _e1859, (_e1859 < _e1821)) > 0f) {
+                                                            phi_2365_ = true;
                                                         } else {
-                                                            let _e1619 = select(_e1563, _e1550, (_e1550 > _e1563));
-                                                            phi_1929_ = (select(_e1576, _e1619, (_e1619 > _e1576)) < 0f);
+                                                            let _e1864 = select(_e1808, _e1795, (_e1795 > _e1808));
+                                                            phi_2365_ = (select(_e1821, _e1864, (_e1864 > _e1821)) < 0f);
                                                         }
-                                                        let _e1624 = phi_1929_;
-                                                        if _e1624 {
-                                                            phi_2634_ = type_21();
-                                                            phi_2635_ = true;
-                                                            phi_2636_ = false;
+                                                        let _e1869 = phi_2365_;
+                                                        if _e1869 {
+                                                            phi_3070_ = type_21();
+                                                            phi_3071_ = true;
+                                                            phi_3072_ = false;
                                                         } else {
-                                                            let _e1626 = select(_e1566, _e1553, (_e1553 < _e1566));
-                                                            if (select(_e1579, _e1626, (_e1626 < _e1579)) > 0f) {
-                                                                phi_1958_ = true;
+                                                            let _e1871 = select(_e1811, _e1798, (_e1798 < _e1811));
+                                                            if (select(_e1824, _e1871, (_e1871 < _e1824)) > 0f) {
+                                                                phi_2394_ = true;
                                                             } else {
-                                                                let _e1631 = select(_e1566, _e1553, (_e1553 > _e1566));
-                                                                phi_1958_ = (select(_e1579, _e1631, (_e1631 > _e1579)) < 0f);
+                                                                let _e1876 = select(_e1811, _e1798, (_e1798 > _e1811));
+                                                                phi_2394_ = (select(_e1824, _e1876, (_e1876 > _e1824)) < 0f);
                                                             }
-                                                            let _e1636 = phi_1958_;
-                                                            if _e1636 {
-                                                                phi_2632_ = type_21();
-                                                                phi_2633_ = false;
+                                                            let _e1881 = phi_2394_;
+                                                            if _e1881 {
+                                                                phi_3068_ = type_21();
+                                                                phi_3069_ = false;
                                                             } else {
-                                                                let _e1638 = select(_e1539[1][0], _e1539[0][0], (_e1539[0][0] < _e1539[1][0]));
-                                                                let _e1642 = select(_e1539[1][0], _e1539[0][0], (_e1539[0][0] > _e1539[1][0]));
-                                                                let _e1646 = select(_e1539[1][1], _e1539[0][1], (_e1539[0][1] < _e1539[1][1]));
-                                                                let _e1650 = select(_e1539[1][1], _e1539[0][1], (_e1539[0][1] > _e1539[1][1]));
-                                                                let _e1654 = select(_e1539[1][2], _e1539[0][2], (_e1539[0][2] < _e1539[1][2]));
-                                                                let _e1658 = select(_e1539[1][2], _e1539[0][2], (_e1539[0][2] > _e1539[1][2]));
-                                                                let _e1663 = ((select(_e1539[2][0], _e1638, (_e1638 < _e1539[2][0])) - _e417) * _e422);
-                                                                let _e1664 = ((select(_e1539[2][0], _e1642, (_e1642 > _e1539[2][0])) - _e418) * _e422);
-                                                                let _e1667 = ((select(_e1539[2][1], _e1646, (_e1646 < _e1539[2][1])) - _e453) * _e458);
-                                                                let _e1668 = ((select(_e1539[2][1], _e1650, (_e1650 > _e1539[2][1])) - _e454) * _e458);
-                                                                let _e1671 = ((select(_e1539[2][2], _e1654, (_e1654 < _e1539[2][2])) - _e489) * _e494);
-                                                                let _e1672 = ((select(_e1539[2][2], _e1658, (_e1658 > _e1539[2][2])) - _e490) * _e494);
-                                                                let _e1674 = select(_e1672, _e1671, (_e1671 < _e1672));
-                                                                let _e1676 = select(_e1672, _e1671, (_e1671 > _e1672));
-                                                                let _e1678 = select(_e1664, _e1663, (_e1663 < _e1664));
-                                                                let _e1680 = select(_e1668, _e1667, (_e1667 < _e1668));
-                                                                let _e1682 = select(_e1680, _e1678, (_e1678 > _e1680));
-                                                                let _e1684 = select(_e1674, _e1682, (_e1682 > _e1674));
-                                                                let _e1686 = select(_e1664, _e1663, (_e1663 > _e1664));
-                                                                let _e1688 = select(_e1668, _e1667, (_e1667 > _e1668));
-                                                                let _e1690 = select(_e1688, _e1686, (_e1686 < _e1688));
-                                                                let _e1692 = select(_e1676, _e1690, (_e1690 < _e1676));
-                                                                let _e1693 = -(_e1674);
-                                                                let _e1699 = select(_e540, _e1684, (_e1684 > _e540));
-                                                                if (_e1699 > (_e1692 + (select(_e1693, _e1676, (_e1676 > _e1693)) * 0.0000019073523f))) {
-                                                                    phi_2627_ = type_21();
-                                                                    phi_2628_ = true;
+                                                                let _e1883 = select(_e1784[1][0], _e1784[0][0], (_e1784[0][0] < _e1784[1][0]));
+                                                                let _e1887 = select(_e1784[1][0], _e1784[0][0], (_e1784[0][0] > _e1784[1][0]));
+                                                                let _e1891 = select(_e1784[1][1], _e1784[0][1], (_e1784[0][1] < _e1784[1][1]));
+                                                                let _e1895 = select(_e1784[1][1], _e1784[0][1], (_e1784[0][1] > _e1784[1][1]));
+                                                                let _e1899 = select(_e1784[1][2], _e1784[0][2], (_e1784[0][2] < _e1784[1][2]));
+                                                                let _e1903 = select(_e1784[1][2], _e1784[0][2], (_e1784[0][2] > _e1784[1][2]));
+                                                                let _e1908 = ((select(_e1784[2][0], _e1883, (_e1883 < _e1784[2][0])) - _e513) * _e518);
+                                                                let _e1909 = ((select(_e1784[2][0], _e1887, (_e1887 > _e1784[2][0])) - _e514) * _e518);
+                                                                let _e1912 = ((select(_e1784[2][1], _e1891, (_e1891 < _e1784[2][1])) - _e579) * _e584);
+                                                                let _e1913 = ((select(_e1784[2][1], _e1895, (_e1895 > _e1784[2][1])) - _e580) * _e584);
+                                                                let _e1916 = ((select(_e1784[2][2], _e1899, (_e1899 < _e1784[2][2])) - _e645) * _e650);
+                                                                let _e1917 = ((select(_e1784[2][2], _e1903, (_e1903 > _e1784[2][2])) - _e646) * _e650);
+                                                                let _e1919 = select(_e1917, _e1916, (_e1916 < _e1917));
+                                                                let _e1921 = select(_e1917, _e1916, (_e1916 > _e1917));
+                                                                let _e1923 = select(_e1909, _e1908, (_e1908 < _e1909));
+                                                                let _e1925 = select(_e1913, _e1912, (_e1912 < _e1913));
+                                                                let _e1927 = select(_e1925, _e1923, (_e1923 > _e1925));
+                                                                let _e1929 = select(_e1919, _e1927, (_e1927 > _e1919));
+                                                                let _e1931 = select(_e1909, _e1908, (_e1908 > _e1909));
+                                                                let _e1933 = select(_e1913, _e1912, (_e1912 > _e1913));
+                                                                let _e1935 = select(_e1933, _e1931, (_e1931 < _e1933));
+                                                                let _e1937 = select(_e1921, _e1935, (_e1935 < _e1921));
+                                                                let _e1938 = -(_e1919);
+                                                                let _e1944 = select(_e761, _e1929, (_e1929 > _e761));
+                                                                if (_e1944 > (_e1937 + (select(_e1938, _e1921, (_e1921 > _e1938)) * 0.0000019073523f))) {
+                                                                    phi_3063_ = type_21();
+                                                                    phi_3064_ = true;
                                                                 } else {
-                                                                    let _e1701 = (_e1699 > _e1110.member_1);
-                                                                    if _e1701 {
-                                                                        phi_2626_ = type_21();
+                                                                    let _e1946 = (_e1944 > _e1337.member_1);
+                                                                    if _e1946 {
+                                                                        phi_3062_ = type_21();
                                                                     } else {
-                                                                        let _e1702 = vec3<f32>(_e1539[0][0], _e1539[0][1], _e1539[0][2]);
-                                                                        let _e1703 = vec3<f32>(_e1539[1][0], _e1539[1][1], _e1539[1][2]);
-                                                                        let _e1704 = vec3<f32>(_e1539[2][0], _e1539[2][1], _e1539[2][2]);
-                                                                        let _e1705 = (_e1539[1][0] - _e1539[0][0]);
-                                                                        let _e1706 = (_e1539[1][1] - _e1539[0][1]);
-                                                                        let _e1707 = (_e1539[1][2] - _e1539[0][2]);
-                                                                        let _e1708 = vec3<f32>(_e1705, _e1706, _e1707);
-                                                                        let _e1709 = (_e1539[2][0] - _e1539[1][0]);
-                                                                        let _e1710 = (_e1539[2][1] - _e1539[1][1]);
-                                                                        let _e1711 = (_e1539[2][2] - _e1539[1][2]);
-                                                                        let _e1712 = vec3<f32>(_e1709, _e1710, _e1711);
-                                                                        let _e1713 = (_e1539[0][0] - _e1539[2][0]);
-                                                                        let _e1714 = (_e1539[0][1] - _e1539[2][1]);
-                                                                        let _e1715 = (_e1539[0][2] - _e1539[2][2]);
-                                                                        let _e1716 = vec3<f32>(_e1713, _e1714, _e1715);
-                                                                        let _e1719 = bitcast<f32>((bitcast<u32>(_e1705) & 2147483647u));
-                                                                        let _e1722 = bitcast<f32>((bitcast<u32>(_e1706) & 2147483647u));
-                                                                        let _e1724 = select(_e1722, _e1719, (_e1719 > _e1722));
-                                                                        let _e1727 = bitcast<f32>((bitcast<u32>(_e1707) & 2147483647u));
-                                                                        let _e1729 = select(_e1727, _e1724, (_e1724 > _e1727));
-                                                                        let _e1732 = bitcast<f32>((bitcast<u32>(_e1709) & 2147483647u));
-                                                                        let _e1735 = bitcast<f32>((bitcast<u32>(_e1710) & 2147483647u));
-                                                                        let _e1737 = select(_e1735, _e1732, (_e1732 > _e1735));
-                                                                        let _e1740 = bitcast<f32>((bitcast<u32>(_e1711) & 2147483647u));
-                                                                        let _e1742 = select(_e1740, _e1737, (_e1737 > _e1740));
-                                                                        let _e1745 = bitcast<f32>((bitcast<u32>(_e1713) & 2147483647u));
-                                                                        let _e1748 = bitcast<f32>((bitcast<u32>(_e1714) & 2147483647u));
-                                                                        let _e1750 = select(_e1748, _e1745, (_e1745 > _e1748));
-                                                                        let _e1753 = bitcast<f32>((bitcast<u32>(_e1715) & 2147483647u));
-                                                                        let _e1755 = select(_e1753, _e1750, (_e1750 > _e1753));
-                                                                        let _e1757 = select(_e1742, _e1729, (_e1729 > _e1742));
-                                                                        let _e1759 = select(_e1755, _e1757, (_e1757 > _e1755));
-                                                                        if (_e1729 == _e1759) {
-                                                                            phi_2359_ = _e1566;
-                                                                            phi_2360_ = _e1563;
-                                                                            phi_2361_ = _e1553;
-                                                                            phi_2362_ = _e1550;
-                                                                            phi_2363_ = _e1702;
-                                                                            phi_2364_ = _e1716;
-                                                                            phi_2365_ = _e1712;
-                                                                            phi_2366_ = _e1708;
+                                                                        let _e1947 = vec3<f32>(_e1784[0][0], _e1784[0][1], _e1784[0][2]);
+                                                                        let _e1948 = vec3<f32>(_e1784[1][0], _e1784[1][1], _e1784[1][2]);
+                                                                        let _e1949 = vec3<f32>(_e1784[2][0], _e1784[2][1], _e1784[2][2]);
+                                                                        let _e1950 = (_e1784[1][0] - _e1784[0][0]);
+                                                                        let _e1951 = (_e1784[1][1] - _e1784[0][1]);
+                                                                        let _e1952 = (_e1784[1][2] - _e1784[0][2]);
+                                                                        let _e1953 = vec3<f32>(_e1950, _e1951, _e1952);
+                                                                        let _e1954 = (_e1784[2][0] - _e1784[1][0]);
+                                                                        let _e1955 = (_e1784[2][1] - _e1784[1][1]);
+                                                                        let _e1956 = (_e1784[2][2] - _e1784[1][2]);
+                                                                        let _e1957 = vec3<f32>(_e1954, _e1955, _e1956);
+                                                                        let _e1958 = (_e1784[0][0] - _e1784[2][0]);
+                                                                        let _e1959 = (_e1784[0][1] - _e1784[2][1]);
+                                                                        let _e1960 = (_e1784[0][2] - _e1784[2][2]);
+                                                                        let _e1961 = vec3<f32>(_e1958, _e1959, _e1960);
+                                                                        let _e1964 = bitcast<f32>((bitcast<u32>(_e1950) & 2147483647u));
+                                                                        let _e1967 = bitcast<f32>((bitcast<u32>(_e1951) & 2147483647u));
+                                                                        let _e1969 = select(_e1967, _e1964, (_e1964 > _e1967));
+                                                                        let _e1972 = bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u));
+                                                                        let _e1974 = select(_e1972, _e1969, (_e1969 > _e1972));
+                                                                        let _e1977 = bitcast<f32>((bitcast<u32>(_e1954) & 2147483647u));
+                                                                        let _e1980 = bitcast<f32>((bitcast<u32>(_e1955) & 2147483647u));
+                                                                        let _e1982 = select(_e1980, _e1977, (_e1977 > _e1980));
+                                                                        let _e1985 = bitcast<f32>((bitcast<u32>(_e1956) & 2147483647u));
+                                                                        let _e1987 = select(_e1985, _e1982, (_e1982 > _e1985));
+                                                                        let _e1990 = bitcast<f32>((bitcast<u32>(_e1958) & 2147483647u));
+                                                                        let _e1993 = bitcast<f32>((bitcast<u32>(_e1959) & 2147483647u));
+                                                                        let _e1995 = select(_e1993, _e1990, (_e1990 > _e1993));
+                                                                        let _e1998 = bitcast<f32>((bitcast<u32>(_e1960) & 2147483647u));
+                                                                        let _e2000 = select(_e1998, _e1995, (_e1995 > _e1998));
+                                                                        let _e2002 = select(_e1987, _e1974, (_e1974 > _e1987));
+                                                                        let _e2004 = select(_e2000, _e2002, (_e2002 > _e2000));
+                                                                        if (_e1974 == _e2004) {
+                                                                            phi_2795_ = _e1811;
+                                                                            phi_2796_ = _e1808;
+                                                                            phi_2797_ = _e1798;
+                                                                            phi_2798_ = _e1795;
+                                                                            phi_2799_ = _e1947;
+                                                                            phi_2800_ = _e1961;
+                                                                            phi_2801_ = _e1957;
+                                                                            phi_2802_ = _e1953;
                                                                         } else {
-                                                                            let _e1761 = (_e1742 == _e1759);
-                                                                            let _e1766 = vec3(_e1761);
-                                                                            phi_2359_ = select(_e1553, _e1579, _e1761);
-                                                                            phi_2360_ = select(_e1550, _e1576, _e1761);
-                                                                            phi_2361_ = select(_e1579, _e1566, _e1761);
-                                                                            phi_2362_ = select(_e1576, _e1563, _e1761);
-                                                                            phi_2363_ = select(_e1704, _e1703, _e1766);
-                                                                            phi_2364_ = select(_e1712, _e1708, _e1766);
-                                                                            phi_2365_ = select(_e1708, _e1716, _e1766);
-                                                                            phi_2366_ = select(_e1716, _e1712, _e1766);
+                                                                            let _e2006 = (_e1987 == _e2004);
+                                                                            let _e2011 = vec3(_e2006);
+                                                                            phi_2795_ = select(_e1798, _e1824, _e2006);
+                                                                            phi_2796_ = select(_e1795, _e1821, _e2006);
+                                                                            phi_2797_ = select(_e1824, _e1811, _e2006);
+                                                                            phi_2798_ = select(_e1821, _e1808, _e2006);
+                                                                            phi_2799_ = select(_e1949, _e1948, _e2011);
+                                                                            phi_2800_ = select(_e1957, _e1953, _e2011);
+                                                                            phi_2801_ = select(_e1953, _e1961, _e2011);
+                                                                            phi_2802_ = select(_e1961, _e1957, _e2011);
                                                                         }
-                                                                        let _e1772 = phi_2359_;
-                                                                        let _e1774 = phi_2360_;
-                                                                        let _e1776 = phi_2361_;
-                                                                        let _e1778 = phi_2362_;
-                                                                        let _e1780 = phi_2363_;
-                                                                        let _e1782 = phi_2364_;
-                                                                        let _e1784 = phi_2365_;
-                                                                        let _e1786 = phi_2366_;
-                                                                        let _e1793 = ((_e1784.y * _e1782.z) - (_e1782.y * _e1784.z));
-                                                                        let _e1798 = ((_e1784.z * _e1782.x) - (_e1782.z * _e1784.x));
-                                                                        let _e1801 = ((_e1784.x * _e1782.y) - (_e1782.x * _e1784.y));
-                                                                        if (_e1601 >= _e1605) {
-                                                                            phi_2397_ = select(true, false, (_e1601 >= _e1609));
+                                                                        let _e2017 = phi_2795_;
+                                                                        let _e2019 = phi_2796_;
+                                                                        let _e2021 = phi_2797_;
+                                                                        let _e2023 = phi_2798_;
+                                                                        let _e2025 = phi_2799_;
+                                                                        let _e2027 = phi_2800_;
+                                                                        let _e2029 = phi_2801_;
+                                                                        let _e2031 = phi_2802_;
+                                                                        let _e2038 = ((_e2029.y * _e2027.z) - (_e2027.y * _e2029.z));
+                                                                        let _e2043 = ((_e2029.z * _e2027.x) - (_e2027.z * _e2029.x));
+                                                                        let _e2046 = ((_e2029.x * _e2027.y) - (_e2027.x * _e2029.y));
+                                                                        if (_e1846 >= _e1850) {
+                                                                            phi_2833_ = select(true, false, (_e1846 >= _e1854));
                                                                         } else {
-                                                                            phi_2397_ = true;
+                                                                            phi_2833_ = true;
                                                                         }
-                                                                        let _e1806 = phi_2397_;
-                                                                        if _e1806 {
-                                                                            phi_2406_ = select(_e1704, _e1703, vec3((_e1605 >= _e1609)));
+                                                                        let _e2051 = phi_2833_;
+                                                                        if _e2051 {
+                                                                            phi_2842_ = select(_e1949, _e1948, vec3((_e1850 >= _e1854)));
                                                                         } else {
-                                                                            phi_2406_ = _e1702;
+                                                                            phi_2842_ = _e1947;
                                                                         }
-                                                                        let _e1811 = phi_2406_;
-                                                                        let _e1822 = (((_e1793 * (_e1811.x - _e394)) + (_e1798 * (_e1811.y - _e431))) + (_e1801 * (_e1811.z - _e467)));
-                                                                        let _e1827 = (((_e1793 * _e419) + (_e1798 * _e455)) + (_e1801 * _e491));
-                                                                        let _e1828 = (_e1774 - _e1778);
-                                                                        let _e1829 = (_e1772 - _e1776);
-                                                                        let _e1837 = (-(((_e1778 * _e1828) + (_e1776 * _e1829))) / ((_e1828 * _e1828) + (_e1829 * _e1829)));
-                                                                        let _e1839 = select(1f, _e1837, (_e1837 < 1f));
-                                                                        let _e1841 = select(0f, _e1839, (_e1839 > 0f));
-                                                                        let _e1854 = ((_e1780.x + (_e1786.x * _e1841)) - _e394);
-                                                                        let _e1855 = ((_e1780.y + (_e1786.y * _e1841)) - _e431);
-                                                                        let _e1856 = ((_e1780.z + (_e1786.z * _e1841)) - _e467);
-                                                                        let _e1857 = (_e1856 / _e491);
-                                                                        let _e1869 = bitcast<f32>((bitcast<u32>(_e1854) & 2147483647u));
-                                                                        let _e1872 = bitcast<f32>((bitcast<u32>(_e1855) & 2147483647u));
-                                                                        let _e1874 = select(_e1872, _e1869, (_e1869 > _e1872));
-                                                                        let _e1877 = bitcast<f32>((bitcast<u32>(_e1856) & 2147483647u));
-                                                                        let _e1879 = select(_e1877, _e1874, (_e1874 > _e1877));
-                                                                        let _e1885 = bitcast<f32>((bitcast<u32>(_e1793) & 2147483647u));
-                                                                        let _e1888 = bitcast<f32>((bitcast<u32>(_e1798) & 2147483647u));
-                                                                        let _e1890 = select(_e1888, _e1885, (_e1885 > _e1888));
-                                                                        let _e1893 = bitcast<f32>((bitcast<u32>(_e1801) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1793 * _e1854) + (_e1798 * _e1855)) + (_e1801 * _e1856)) - _e1822)) & 2147483647u)) <= ((0.0000009536743f * select(_e1759, _e1879, (_e1879 > _e1759))) * select(_e1893, _e1890, (_e1890 > _e1893)))) {
-                                                                            let _e1903 = bitcast<f32>((bitcast<u32>(_e1784.x) & 2147483647u));
-                                                                            let _e1906 = bitcast<f32>((bitcast<u32>(_e1784.y) & 2147483647u));
-                                                                            let _e1908 = select(_e1906, _e1903, (_e1903 > _e1906));
-                                                                            let _e1911 = bitcast<f32>((bitcast<u32>(_e1784.z) & 2147483647u));
-                                                                            let _e1917 = bitcast<f32>((bitcast<u32>(_e1782.x) & 2147483647u));
-                                                                            let _e1920 = bitcast<f32>((bitcast<u32>(_e1782.y) & 2147483647u));
-                                                                            let _e1922 = select(_e1920, _e1917, (_e1917 > _e1920));
-                                                                            let _e1925 = bitcast<f32>((bitcast<u32>(_e1782.z) & 2147483647u));
-                                                                            let _e1929 = (bitcast<f32>((bitcast<u32>(_e1827) & 2147483647u)) > ((0.0000038146973f * select(_e1911, _e1908, (_e1908 > _e1911))) * select(_e1925, _e1922, (_e1922 > _e1925))));
-                                                                            if _e1929 {
-                                                                                phi_2571_ = (_e1822 / _e1827);
+                                                                        let _e2056 = phi_2842_;
+                                                                        let _e2067 = (((_e2038 * (_e2056.x - _e475)) + (_e2043 * (_e2056.y - _e542))) + (_e2046 * (_e2056.z - _e608)));
+                                                                        let _e2072 = (((_e2038 * _e515) + (_e2043 * _e581)) + (_e2046 * _e647));
+                                                                        let _e2073 = (_e2019 - _e2023);
+                                                                        let _e2074 = (_e2017 - _e2021);
+                                                                        let _e2082 = (-(((_e2023 * _e2073) + (_e2021 * _e2074))) / ((_e2073 * _e2073) + (_e2074 * _e2074)));
+                                                                        let _e2084 = select(1f, _e2082, (_e2082 < 1f));
+                                                                        let _e2086 = select(0f, _e2084, (_e2084 > 0f));
+                                                                        let _e2099 = ((_e2025.x + (_e2031.x * _e2086)) - _e475);
+                                                                        let _e2100 = ((_e2025.y + (_e2031.y * _e2086)) - _e542);
+                                                                        let _e2101 = ((_e2025.z + (_e2031.z * _e2086)) - _e608);
+                                                                        let _e2102 = (_e2101 / _e647);
+                                                                        let _e2114 = bitcast<f32>((bitcast<u32>(_e2099) & 2147483647u));
+                                                                        let _e2117 = bitcast<f32>((bitcast<u32>(_e2100) & 2147483647u));
+                                                                        let _e2119 = select(_e2117, _e2114, (_e2114 > _e2117));
+                                                                        let _e2122 = bitcast<f32>((bitcast<u32>(_e2101) & 2147483647u));
+                                                                        let _e2124 = select(_e2122, _e2119, (_e2119 > _e2122));
+                                                                        let _e2130 = bitcast<f32>((bitcast<u32>(_e2038) & 2147483647u));
+                                                                        let _e2133 = bitcast<f32>((bitcast<u32>(_e2043) & 2147483647u));
+                                                                        let _e2135 = select(_e2133, _e2130, (_e2130 > _e2133));
+                                                                        let _e2138 = bitcast<f32>((bitcast<u32>(_e2046) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e2038 * _e2099) + (_e2043 * _e2100)) + (_e2046 * _e2101)) - _e2067)) & 2147483647u)) <= ((0.0000009536743f * select(_e2004, _e2124, (_e2124 > _e2004))) * select(_e2138, _e2135, (_e2135 > _e2138)))) {
+                                                                            let _e2148 = bitcast<f32>((bitcast<u32>(_e2029.x) & 2147483647u));
+                                                                            let _e2151 = bitcast<f32>((bitcast<u32>(_e2029.y) & 2147483647u));
+                                                                            let _e2153 = select(_e2151, _e2148, (_e2148 > _e2151));
+                                                                            let _e2156 = bitcast<f32>((bitcast<u32>(_e2029.z) & 2147483647u));
+                                                                            let _e2162 = bitcast<f32>((bitcast<u32>(_e2027.x) & 2147483647u));
+                                                                            let _e2165 = bitcast<f32>((bitcast<u32>(_e2027.y) & 2147483647u));
+                                                                            let _e2167 = select(_e2165, _e2162, (_e2162 > _e2165));
+                                                                            let _e2170 = bitcast<f32>((bitcast<u32>(_e2027.z) & 2147483647u));
+                                                                            let _e2174 = (bitcast<f32>((bitcast<u32>(_e2072) & 2147483647u)) > ((0.0000038146973f * select(_e2156, _e2153, (_e2153 > _e2156))) * select(_e2170, _e2167, (_e2167 > _e2170))));
+                                                                            if _e2174 {
+                                                                                phi_3007_ = (_e2067 / _e2072);
                                                                             } else {
-                                                                                phi_2571_ = f32();
+                                                                                phi_3007_ = f32();
                                                                             }
-                                                                            let _e1932 = phi_2571_;
-                                                                            phi_2573_ = _e1932;
-                                                                            phi_2574_ = select(true, false, _e1929);
+                                                                            let _e2177 = phi_3007_;
+                                                                            phi_3009_ = _e2177;
+                                                                            phi_3010_ = select(true, false, _e2174);
                                                                         } else {
-                                                                            phi_2573_ = f32();
-                                                                            phi_2574_ = true;
+                                                                            phi_3009_ = f32();
+                                                                            phi_3010_ = true;
                                                                         }
-                                                                        let _e1935 = phi_2573_;
-                                                                        let _e1937 = phi_2574_;
-                                                                        if _e1937 {
-                                                                            let _e1945 = (((_e1793 * (_e1854 - (_e419 * _e1857))) + (_e1798 * (_e1855 - (_e455 * _e1857)))) / _e1827);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u)) <= _e1759) {
-                                                                                phi_2594_ = (_e1857 + _e1945);
+                                                                        let _e2180 = phi_3009_;
+                                                                        let _e2182 = phi_3010_;
+                                                                        if _e2182 {
+                                                                            let _e2190 = (((_e2038 * (_e2099 - (_e515 * _e2102))) + (_e2043 * (_e2100 - (_e581 * _e2102)))) / _e2072);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e2190) & 2147483647u)) <= _e2004) {
+                                                                                phi_3030_ = (_e2102 + _e2190);
                                                                             } else {
-                                                                                phi_2594_ = _e1857;
+                                                                                phi_3030_ = _e2102;
                                                                             }
-                                                                            let _e1952 = phi_2594_;
-                                                                            phi_2595_ = _e1952;
+                                                                            let _e2197 = phi_3030_;
+                                                                            phi_3031_ = _e2197;
                                                                         } else {
-                                                                            phi_2595_ = _e1935;
+                                                                            phi_3031_ = _e2180;
                                                                         }
-                                                                        let _e1954 = phi_2595_;
-                                                                        let _e1956 = select(_e1692, _e1954, (_e1954 < _e1692));
-                                                                        let _e1958 = select(_e1684, _e1956, (_e1956 > _e1684));
-                                                                        if (_e1958 >= _e540) {
-                                                                            let _e1960 = (_e1958 <= _e1110.member_1);
-                                                                            if _e1960 {
-                                                                                let _e1961 = (1f / _e1611);
-                                                                                phi_2618_ = type_21(_e1958, (_e1605 * _e1961), (_e1609 * _e1961), _e1170);
+                                                                        let _e2199 = phi_3031_;
+                                                                        let _e2201 = select(_e1937, _e2199, (_e2199 < _e1937));
+                                                                        let _e2203 = select(_e1929, _e2201, (_e2201 > _e1929));
+                                                                        if (_e2203 >= _e761) {
+                                                                            let _e2205 = (_e2203 <= _e1337.member_1);
+                                                                            if _e2205 {
+                                                                                let _e2206 = (1f / _e1856);
+                                                                                phi_3054_ = type_21(_e2203, (_e1850 * _e2206), (_e1854 * _e2206), _e1397);
                                                                             } else {
-                                                                                phi_2618_ = type_21();
+                                                                                phi_3054_ = type_21();
                                                                             }
-                                                                            let _e1966 = phi_2618_;
-                                                                            phi_2620_ = _e1966;
-                                                                            phi_2621_ = select(true, false, _e1960);
+                                                                            let _e2211 = phi_3054_;
+                                                                            phi_3056_ = _e2211;
+                                                                            phi_3057_ = select(true, false, _e2205);
                                                                         } else {
-                                                                            phi_2620_ = type_21();
-                                                                            phi_2621_ = true;
+                                                                            phi_3056_ = type_21();
+                                                                            phi_3057_ = true;
                                                                         }
-                                                                        let _e1969 = phi_2620_;
-                                                                        let _e1971 = phi_2621_;
-                                                                        if _e1971 {
-                                                                            phi_2625_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e2214 = phi_3056_;
+                                                                        let _e2216 = phi_3057_;
+                                                                        if _e2216 {
+                                                                            phi_3061_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2625_ = _e1969;
+                                                                            phi_3061_ = _e2214;
                                                                         }
-                                                                        let _e1973 = phi_2625_;
-                                                                        phi_2626_ = _e1973;
+                                                                        let _e2218 = phi_3061_;
+                                                                        phi_3062_ = _e2218;
                                                                     }
-                                                                    let _e1975 = phi_2626_;
-                                                                    phi_2627_ = _e1975;
-                                                                    phi_2628_ = _e1701;
+                                                                    let _e2220 = phi_3062_;
+                                                                    phi_3063_ = _e2220;
+                                                                    phi_3064_ = _e1946;
                                                                 }
-                                                                let _e1977 = phi_2627_;
-                                                                let _e1979 = phi_2628_;
-                                                                phi_2632_ = _e1977;
-                                                                phi_2633_ = _e1979;
+                                                                let _e2222 = phi_3063_;
+                                                                let _e2224 = phi_3064_;
+                                                                phi_3068_ = _e2222;
+                                                                phi_3069_ = _e2224;
                                                             }
-                                                            let _e1981 = phi_2632_;
-                                                            let _e1983 = phi_2633_;
-                                                            phi_2634_ = _e1981;
-                                                            phi_2635_ = _e1636;
-                                                            phi_2636_ = _e1983;
+                                                            let _e2226 = phi_3068_;
+                                                            let _e2228 = phi_3069_;
+                                                            phi_3070_ = _e2226;
+                                                            phi_3071_ = _e1881;
+                                                            phi_3072_ = _e2228;
                                                         }
-                                                        let _e1985 = phi_2634_;
-                                                        let _e1987 = phi_2635_;
-                                                        let _e1989 = phi_2636_;
-                                                        phi_2637_ = _e1985;
-                                                        phi_2638_ = _e1987;
-                                                        phi_2639_ = _e1989;
+                                                        let _e2230 = phi_3070_;
+                                                        let _e2232 = phi_3071_;
+                                                        let _e2234 = phi_3072_;
+                                                        phi_3073_ = _e2230;
+                                                        phi_3074_ = _e2232;
+                                                        phi_3075_ = _e2234;
                                                     }
-                                                    let _e1991 = phi_2637_;
-                                                    let _e1993 = phi_2638_;
-                                                    let _e1995 = phi_2639_;
-                                                    phi_2647_ = _e1991;
-                                                    phi_2648_ = select(_e1995, true, _e1993);
+                                                    let _e2236 = phi_3073_;
+                                                    let _e2238 = phi_3074_;
+                                                    let _e2240 = phi_3075_;
+                                                    phi_3083_ = _e2236;
+                                                    phi_3084_ = select(_e2240, true, _e2238);
                                                 } else {
-                                                    phi_2647_ = type_21();
-                                                    phi_2648_ = true;
+                                                    phi_3083_ = type_21();
+                                                    phi_3084_ = true;
                                                 }
-                                                let _e1998 = phi_2647_;
-                                                let _e2000 = phi_2648_;
-                                                if _e2000 {
-                                                    phi_2652_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e2243 = phi_3083_;
+                                                let _e2245 = phi_3084_;
+                                                if _e2245 {
+                                                    phi_3088_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2652_ = _e1998;
+                                                    phi_3088_ = _e2243;
                                                 }
-                                                let _e2002 = phi_2652_;
-                                                if (_e2002.member_3 != 4294967295u) {
-                                                    if (_e1170 == _e168) {
-                                                        phi_2981_ = false;
+                                                let _e2247 = phi_3088_;
+                                                if (_e2247.member_3 != 4294967295u) {
+                                                    if (_e1397 == _e174) {
+                                                        phi_3417_ = false;
                                                     } else {
-                                                        let _e2006 = (_e1170 < arrayLength((&global_4.member)));
-                                                        if _e2006 {
-                                                            if _e2006 {
+                                                        let _e2251 = (_e1397 < arrayLength((&global_4.member)));
+                                                        if _e2251 {
+                                                            if _e2251 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e2008 = global_4.member[_e1170];
-                                                            phi_2675_ = _e2008;
+                                                            let _e2253 = global_4.member[_e1397];
+                                                            phi_3111_ = _e2253;
                                                         } else {
-                                                            phi_2675_ = 4294967295u;
+                                                            phi_3111_ = 4294967295u;
                                                         }
-                                                        let _e2010 = phi_2675_;
-                                                        let _e2011 = (_e2010 < arrayLength((&global_5.member)));
-                                                        if _e2011 {
-                                                            if _e2011 {
+                                                        let _e2255 = phi_3111_;
+                                                        let _e2256 = (_e2255 < arrayLength((&global_5.member)));
+                                                        if _e2256 {
+                                                            if _e2256 {
                                                             } else {
-                                                                phi_4588_ = true;
+                                                                phi_5130_ = true;
                                                                 break;
                                                             }
-                                                            let _e2013 = global_5.member[_e2010];
-                                                            phi_2689_ = _e2013;
+                                                            let _e2258 = global_5.member[_e2255];
+                                                            phi_3125_ = _e2258;
                                                         } else {
-                                                            phi_2689_ = 0i;
+                                                            phi_3125_ = 0i;
                                                         }
-                                                        let _e2015 = phi_2689_;
-                                                        let _e2016 = (_e2015 == 0i);
-                                                        if _e2016 {
-                                                            phi_2980_ = true;
+                                                        let _e2260 = phi_3125_;
+                                                        let _e2261 = (_e2260 == 0i);
+                                                        if _e2261 {
+                                                            phi_3416_ = true;
                                                         } else {
-                                                            if _e386 {
-                                                                phi_2710_ = vec3<f32>(_e1539[0][0], _e1539[0][1], _e1539[0][2]);
+                                                            if _e452 {
+                                                                phi_3146_ = vec3<f32>(_e1784[0][0], _e1784[0][1], _e1784[0][2]);
                                                             } else {
-                                                                if (_e362 == 1u) {
-                                                                    phi_2709_ = vec3<f32>(_e1539[0][2], _e1539[0][0], _e1539[0][1]);
+                                                                if (_e428 == 1u) {
+                                                                    phi_3145_ = vec3<f32>(_e1784[0][2], _e1784[0][0], _e1784[0][1]);
                                                                 } else {
-                                                                    phi_2709_ = vec3<f32>(_e1539[0][1], _e1539[0][2], _e1539[0][0]);
+                                                                    phi_3145_ = vec3<f32>(_e1784[0][1], _e1784[0][2], _e1784[0][0]);
                                                                 }
-                                                                let _e2021 = phi_2709_;
-                                                                phi_2710_ = _e2021;
+                                                                let _e2266 = phi_3145_;
+                                                                phi_3146_ = _e2266;
                                                             }
-                                                            let _e2024 = phi_2710_;
-                                                            if _e386 {
-                                                                phi_2727_ = vec3<f32>(_e1539[1][0], _e1539[1][1], _e1539[1][2]);
+                                                            let _e2269 = phi_3146_;
+                                                            if _e452 {
+                                                                phi_3163_ = vec3<f32>(_e1784[1][0], _e1784[1][1], _e1784[1][2]);
                                                             } else {
-                                                                if (_e362 == 1u) {
-                                                                    phi_2726_ = vec3<f32>(_e1539[1][2], _e1539[1][0], _e1539[1][1]);
+                                                                if (_e428 == 1u) {
+                                                                    phi_3162_ = vec3<f32>(_e1784[1][2], _e1784[1][0], _e1784[1][1]);
                                                                 } else {
-                                                                    phi_2726_ = vec3<f32>(_e1539[1][1], _e1539[1][2], _e1539[1][0]);
+                                                                    phi_3162_ = vec3<f32>(_e1784[1][1], _e1784[1][2], _e1784[1][0]);
                                                                 }
-                                                                let _e2029 = phi_2726_;
-                                                                phi_2727_ = _e2029;
+                                                                let _e2274 = phi_3162_;
+                                                                phi_3163_ = _e2274;
                                                             }
-                                                            let _e2032 = phi_2727_;
-                                                            if _e386 {
-                                                                phi_2744_ = vec3<f32>(_e1539[2][0], _e1539[2][1], _e1539[2][2]);
+                                                            let _e2277 = phi_3163_;
+                                                            if _e452 {
+                                                                phi_3180_ = vec3<f32>(_e1784[2][0], _e1784[2][1], _e1784[2][2]);
                                                             } else {
-                                                                if (_e362 == 1u) {
-                                                                    phi_2743_ = vec3<f32>(_e1539[2][2], _e1539[2][0], _e1539[2][1]);
+                                                                if (_e428 == 1u) {
+                                                                    phi_3179_ = vec3<f32>(_e1784[2][2], _e1784[2][0], _e1784[2][1]);
                                                                 } else {
-                                                                    phi_2743_ = vec3<f32>(_e1539[2][1], _e1539[2][2], _e1539[2][0]);
+                                                                    phi_3179_ = vec3<f32>(_e1784[2][1], _e1784[2][2], _e1784[2][0]);
                                                                 }
-                                                                let _e2037 = phi_2743_;
-                                                                phi_2744_ = _e2037;
+                                                                let _e2282 = phi_3179_;
+                                                                phi_3180_ = _e2282;
                                                             }
-                                                            let _e2040 = phi_2744_;
-                                                            let _e2043 = (_e2032.x - _e2024.x);
-                                                            let _e2046 = (_e2032.y - _e2024.y);
-                                                            let _e2049 = (_e2032.z - _e2024.z);
-                                                            let _e2051 = (_e2040.x - _e2024.x);
-                                                            let _e2053 = (_e2040.y - _e2024.y);
-                                                            let _e2055 = (_e2040.z - _e2024.z);
-                                                            if (_e240.member_1 == 1u) {
-                                                                phi_2780_ = (vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]) - _e2024);
+                                                            let _e2285 = phi_3180_;
+                                                            let _e2288 = (_e2277.x - _e2269.x);
+                                                            let _e2291 = (_e2277.y - _e2269.y);
+                                                            let _e2294 = (_e2277.z - _e2269.z);
+                                                            let _e2296 = (_e2285.x - _e2269.x);
+                                                            let _e2298 = (_e2285.y - _e2269.y);
+                                                            let _e2300 = (_e2285.z - _e2269.z);
+                                                            if (_e306.member_1 == 1u) {
+                                                                phi_3216_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e2269);
                                                             } else {
-                                                                phi_2780_ = vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]);
+                                                                phi_3216_ = vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]);
                                                             }
-                                                            let _e2070 = phi_2780_;
-                                                            let _e2076 = bitcast<f32>((bitcast<u32>((_e2043 * _e2053)) ^ _e240.member_3[0]));
-                                                            let _e2080 = bitcast<f32>((bitcast<u32>((_e2046 * _e2051)) ^ _e240.member_3[0]));
-                                                            let _e2084 = bitcast<f32>((bitcast<u32>((_e2046 * _e2055)) ^ _e240.member_3[0]));
-                                                            let _e2088 = bitcast<f32>((bitcast<u32>((_e2049 * _e2053)) ^ _e240.member_3[0]));
-                                                            let _e2092 = bitcast<f32>((bitcast<u32>((_e2049 * _e2051)) ^ _e240.member_3[0]));
-                                                            let _e2096 = bitcast<f32>((bitcast<u32>((_e2043 * _e2055)) ^ _e240.member_3[0]));
-                                                            let _e2097 = (_e2084 - _e2088);
-                                                            let _e2098 = (_e2092 - _e2096);
-                                                            let _e2099 = (_e2076 - _e2080);
-                                                            let _e2123 = (bitcast<f32>((bitcast<u32>(_e2084) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2088) & 2147483647u)));
-                                                            let _e2130 = (bitcast<f32>((bitcast<u32>(_e2092) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2096) & 2147483647u)));
-                                                            let _e2137 = (bitcast<f32>((bitcast<u32>(_e2076) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2080) & 2147483647u)));
-                                                            if (_e240.member_2 == 0f) {
-                                                                phi_2962_ = 0f;
+                                                            let _e2315 = phi_3216_;
+                                                            let _e2321 = bitcast<f32>((bitcast<u32>((_e2288 * _e2298)) ^ _e306.member_3[0]));
+                                                            let _e2325 = bitcast<f32>((bitcast<u32>((_e2291 * _e2296)) ^ _e306.member_3[0]));
+                                                            let _e2329 = bitcast<f32>((bitcast<u32>((_e2291 * _e2300)) ^ _e306.member_3[0]));
+                                                            let _e2333 = bitcast<f32>((bitcast<u32>((_e2294 * _e2298)) ^ _e306.member_3[0]));
+                                                            let _e2337 = bitcast<f32>((bitcast<u32>((_e2294 * _e2296)) ^ _e306.member_3[0]));
+                                                            let _e2341 = bitcast<f32>((bitcast<u32>((_e2288 * _e2300)) ^ _e306.member_3[0]));
+                                                            let _e2342 = (_e2329 - _e2333);
+                                                            let _e2343 = (_e2337 - _e2341);
+                                                            let _e2344 = (_e2321 - _e2325);
+                                                            let _e2368 = (bitcast<f32>((bitcast<u32>(_e2329) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2333) & 2147483647u)));
+                                                            let _e2375 = (bitcast<f32>((bitcast<u32>(_e2337) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2341) & 2147483647u)));
+                                                            let _e2382 = (bitcast<f32>((bitcast<u32>(_e2321) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2325) & 2147483647u)));
+                                                            if (_e306.member_2 == 0f) {
+                                                                phi_3398_ = 0f;
                                                             } else {
-                                                                let _e2167 = bitcast<f32>((bitcast<u32>(_e2097) & 2147483647u));
-                                                                let _e2170 = bitcast<f32>((bitcast<u32>(_e2098) & 2147483647u));
-                                                                let _e2173 = bitcast<f32>((bitcast<u32>(_e2099) & 2147483647u));
-                                                                let _e2175 = select(_e2173, _e2170, (_e2170 > _e2173));
-                                                                let _e2179 = select(_e2173, _e2170, (_e2170 < _e2173));
-                                                                let _e2183 = select(_e2170, _e2167, (_e2167 < _e2170));
-                                                                let _e2185 = select(_e2170, _e2167, (_e2167 > _e2170));
-                                                                let _e2187 = select(_e2173, _e2185, (_e2185 < _e2173));
-                                                                phi_2962_ = bitcast<f32>((bitcast<u32>((_e240.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2175, _e2167, (_e2167 > _e2175)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2187, _e2183, (_e2183 > _e2187)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2179, _e2167, (_e2167 < _e2179)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2123 + _e2130) + _e2137))) ^ _e240.member_3[0]))) * 1.0000005f)) ^ _e240.member_3[0])))) ^ _e240.member_3[0]));
+                                                                let _e2412 = bitcast<f32>((bitcast<u32>(_e2342) & 2147483647u));
+                                                                let _e2415 = bitcast<f32>((bitcast<u32>(_e2343) & 2147483647u));
+                                                                let _e2418 = bitcast<f32>((bitcast<u32>(_e2344) & 2147483647u));
+                                                                let _e2420 = select(_e2418, _e2415, (_e2415 > _e2418));
+                                                                let _e2424 = select(_e2418, _e2415, (_e2415 < _e2418));
+                                                                let _e2428 = select(_e2415, _e2412, (_e2412 < _e2415));
+                                                                let _e2430 = select(_e2415, _e2412, (_e2412 > _e2415));
+                                                                let _e2432 = select(_e2418, _e2430, (_e2430 < _e2418));
+                                                                phi_3398_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2420, _e2412, (_e2412 > _e2420)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2432, _e2428, (_e2428 > _e2432)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2424, _e2412, (_e2412 < _e2424)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2368 + _e2375) + _e2382))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
                                                             }
-                                                            let _e2214 = phi_2962_;
-                                                            phi_2980_ = (_e2016 || !(((((bitcast<f32>((bitcast<u32>((_e2070.x * _e2097)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2070.y * _e2098)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2070.z * _e2099)) ^ _e240.member_3[0]))) * f32(-(_e2015))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2070.x) & 2147483647u)) * _e2123)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2070.y) & 2147483647u)) * _e2130)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2070.z) & 2147483647u)) * _e2137)) ^ _e240.member_3[0]))))) ^ _e240.member_3[0])) + _e2214) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2459 = phi_3398_;
+                                                            phi_3416_ = (_e2261 || !(((((bitcast<f32>((bitcast<u32>((_e2315.x * _e2342)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2315.y * _e2343)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2315.z * _e2344)) ^ _e306.member_3[0]))) * f32(-(_e2260))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2315.x) & 2147483647u)) * _e2368)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2315.y) & 2147483647u)) * _e2375)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2315.z) & 2147483647u)) * _e2382)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e2459) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2228 = phi_2980_;
-                                                        phi_2981_ = _e2228;
+                                                        let _e2473 = phi_3416_;
+                                                        phi_3417_ = _e2473;
                                                     }
-                                                    let _e2230 = phi_2981_;
-                                                    if _e2230 {
-                                                        if (_e2002.member < _e1110.member.member) {
-                                                            phi_3001_ = true;
+                                                    let _e2475 = phi_3417_;
+                                                    if _e2475 {
+                                                        if (_e2247.member < _e1337.member.member) {
+                                                            phi_3437_ = true;
                                                         } else {
-                                                            if (_e2002.member == _e1110.member.member) {
-                                                                phi_3000_ = (_e2002.member_3 < _e1110.member.member_3);
+                                                            if (_e2247.member == _e1337.member.member) {
+                                                                phi_3436_ = (_e2247.member_3 < _e1337.member.member_3);
                                                             } else {
-                                                                phi_3000_ = false;
+                                                                phi_3436_ = false;
                                                             }
-                                                            let _e2240 = phi_3000_;
-                                                            phi_3001_ = _e2240;
+                                                            let _e2485 = phi_3436_;
+                                                            phi_3437_ = _e2485;
                                                         }
-                                                        let _e2242 = phi_3001_;
-                                                        if _e2242 {
-                                                            phi_3007_ = type_38(_e2002, _e2002.member);
+                                                        let _e2487 = phi_3437_;
+                                                        if _e2487 {
+                                                            phi_3443_ = type_38(_e2247, _e2247.member);
                                                         } else {
-                                                            phi_3007_ = _e1110;
+                                                            phi_3443_ = _e1337;
                                                         }
-                                                        let _e2245 = phi_3007_;
-                                                        phi_3008_ = _e2245;
+                                                        let _e2490 = phi_3443_;
+                                                        phi_3444_ = _e2490;
                                                     } else {
-                                                        phi_3008_ = _e1110;
+                                                        phi_3444_ = _e1337;
                                                     }
-                                                    let _e2247 = phi_3008_;
-                                                    phi_3009_ = _e2247;
+                                                    let _e2492 = phi_3444_;
+                                                    phi_3445_ = _e2492;
                                                 } else {
-                                                    phi_3009_ = _e1110;
+                                                    phi_3445_ = _e1337;
                                                 }
-                                                let _e2249 = phi_3009_;
-                                                phi_1094_ = _e2249;
+                                                let _e2494 = phi_3445_;
+                                                phi_1512_ = _e2494;
                                             } else {
-                                                phi_1094_ = type_38();
+                                                phi_1512_ = type_38();
                                             }
-                                            let _e2251 = phi_1094_;
+                                            let _e2496 = phi_1512_;
                                             continue;
                                             continuing {
-                                                phi_1093_ = _e2251;
-                                                phi_1096_ = _e1125;
-                                                phi_4588_ = _e582;
-                                                break if !(_e1131);
+                                                phi_1511_ = _e2496;
+                                                phi_1514_ = _e1352;
+                                                phi_5130_ = _e803;
+                                                break if !(_e1358);
                                             }
                                         }
-                                        let _e2254 = phi_4588_;
-                                        phi_4801_ = _e2254;
-                                        if _e2254 {
+                                        let _e2499 = phi_5130_;
+                                        phi_5369_ = _e2499;
+                                        if _e2499 {
                                             break;
                                         }
-                                        phi_4805_ = _e2254;
-                                        let _e2522 = local_11;
-                                        phi_4249_ = _e2522;
-                                        phi_4250_ = _e623;
-                                        phi_4251_ = false;
-                                        phi_4252_ = _e627;
+                                        phi_5373_ = _e2499;
+                                        let _e2866 = local_11;
+                                        phi_4685_ = _e2866;
+                                        phi_4686_ = _e844;
+                                        phi_4687_ = false;
+                                        phi_4688_ = _e848;
                                     } else {
-                                        if (_e623.member_1 >= _e100) {
-                                            phi_3805_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e844.member_1 >= _e106) {
+                                            phi_4241_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e623.member_1 < _e100) {
+                                            if (_e844.member_1 < _e106) {
                                             } else {
-                                                phi_4801_ = true;
+                                                phi_5369_ = true;
                                                 break;
                                             }
-                                            let _e639 = (_e362 * 2u);
-                                            let _e641 = ((1u + _e639) % 7u);
-                                            if (_e641 < 7u) {
+                                            let _e860 = (_e428 * 2u);
+                                            let _e862 = ((1u + _e860) % 7u);
+                                            if (_e862 < 7u) {
                                             } else {
-                                                phi_4801_ = true;
+                                                phi_5369_ = true;
                                                 break;
                                             }
-                                            let _e646 = global_9.member[_e623.member_1][_e641];
-                                            let _e648 = ((_e639 + 2u) % 7u);
-                                            if (_e648 < 7u) {
+                                            let _e867 = global_9.member[_e844.member_1][_e862];
+                                            let _e869 = ((_e860 + 2u) % 7u);
+                                            if (_e869 < 7u) {
                                             } else {
-                                                phi_4801_ = true;
+                                                phi_5369_ = true;
                                                 break;
                                             }
-                                            let _e653 = global_9.member[_e623.member_1][_e648];
-                                            let _e654 = (_e361 * 2u);
-                                            let _e656 = ((1u + _e654) % 7u);
-                                            if (_e656 < 7u) {
+                                            let _e874 = global_9.member[_e844.member_1][_e869];
+                                            let _e875 = (_e427 * 2u);
+                                            let _e877 = ((1u + _e875) % 7u);
+                                            if (_e877 < 7u) {
                                             } else {
-                                                phi_4801_ = true;
+                                                phi_5369_ = true;
                                                 break;
                                             }
-                                            let _e661 = global_9.member[_e623.member_1][_e656];
-                                            let _e663 = ((_e654 + 2u) % 7u);
-                                            if (_e663 < 7u) {
+                                            let _e882 = global_9.member[_e844.member_1][_e877];
+                                            let _e884 = ((_e875 + 2u) % 7u);
+                                            if (_e884 < 7u) {
                                             } else {
-                                                phi_4801_ = true;
+                                                phi_5369_ = true;
                                                 break;
                                             }
-                                            let _e668 = global_9.member[_e623.member_1][_e663];
-                                            let _e669 = (_e363 * 2u);
-                                            let _e671 = ((1u + _e669) % 7u);
-                                            if (_e671 < 7u) {
+                                            let _e889 = global_9.member[_e844.member_1][_e884];
+                                            let _e890 = (_e429 * 2u);
+                                            let _e892 = ((1u + _e890) % 7u);
+                                            if (_e892 < 7u) {
                                             } else {
-                                                phi_4801_ = true;
+                                                phi_5369_ = true;
                                                 break;
                                             }
-                                            let _e676 = global_9.member[_e623.member_1][_e671];
-                                            let _e678 = ((_e669 + 2u) % 7u);
-                                            if (_e678 < 7u) {
+                                            let _e897 = global_9.member[_e844.member_1][_e892];
+                                            let _e899 = ((_e890 + 2u) % 7u);
+                                            if (_e899 < 7u) {
                                             } else {
-                                                phi_4801_ = true;
+                                                phi_5369_ = true;
                                                 break;
                                             }
-                                            let _e683 = global_9.member[_e623.member_1][_e678];
-                                            let _e706 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.x - _e623.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e707 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.y - _e623.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e708 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.z - _e623.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e710 = select(_e159, _e706, (_e706 > _e159));
-                                            let _e712 = select(_e159, _e707, (_e707 > _e159));
-                                            let _e714 = select(_e159, _e708, (_e708 > _e159));
-                                            let _e739 = bitcast<u32>((f32(bitcast<i32>((_e646 & 2097151u))) * _e710));
-                                            let _e744 = (bitcast<i32>((_e646 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e747 = bitcast<f32>((_e739 & bitcast<u32>(_e744)));
-                                            let _e748 = bitcast<u32>((f32(bitcast<i32>((_e661 & 2097151u))) * _e712));
-                                            let _e753 = (bitcast<i32>((_e661 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e756 = bitcast<f32>((_e748 & bitcast<u32>(_e753)));
-                                            let _e757 = bitcast<u32>((f32(bitcast<i32>((_e676 & 2097151u))) * _e714));
-                                            let _e762 = (bitcast<i32>((_e676 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e765 = bitcast<f32>((_e757 & bitcast<u32>(_e762)));
-                                            let _e769 = bitcast<f32>((_e739 & bitcast<u32>(~(_e744))));
-                                            let _e773 = bitcast<f32>((_e748 & bitcast<u32>(~(_e753))));
-                                            let _e777 = bitcast<f32>((_e757 & bitcast<u32>(~(_e762))));
-                                            let _e778 = bitcast<u32>((f32(bitcast<i32>((_e653 & 2097151u))) * _e710));
-                                            let _e783 = (bitcast<i32>((_e653 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e786 = bitcast<f32>((_e778 & bitcast<u32>(_e783)));
-                                            let _e787 = bitcast<u32>((f32(bitcast<i32>((_e668 & 2097151u))) * _e712));
-                                            let _e792 = (bitcast<i32>((_e668 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e795 = bitcast<f32>((_e787 & bitcast<u32>(_e792)));
-                                            let _e796 = bitcast<u32>((f32(bitcast<i32>((_e683 & 2097151u))) * _e714));
-                                            let _e801 = (bitcast<i32>((_e683 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e804 = bitcast<f32>((_e796 & bitcast<u32>(_e801)));
-                                            let _e808 = bitcast<f32>((_e778 & bitcast<u32>(~(_e783))));
-                                            let _e812 = bitcast<f32>((_e787 & bitcast<u32>(~(_e792))));
-                                            let _e816 = bitcast<f32>((_e796 & bitcast<u32>(~(_e801))));
-                                            let _e817 = (_e623.member.member.x + _e747);
-                                            let _e818 = (_e623.member.member.y + _e756);
-                                            let _e819 = (_e623.member.member.z + _e765);
-                                            let _e822 = (_e623.member.member_1.x - _e786);
-                                            let _e823 = (_e623.member.member_1.y - _e795);
-                                            let _e824 = (_e623.member.member_1.z - _e804);
-                                            let _e843 = (_e822 - _e817);
-                                            let _e844 = (_e823 - _e818);
-                                            let _e845 = (_e824 - _e819);
-                                            let _e847 = select(_e844, _e843, (_e843 > _e844));
-                                            let _e849 = select(_e845, _e847, (_e847 > _e845));
-                                            if (_e849 < (1024f * _e159)) {
-                                                phi_3506_ = 0u;
+                                            let _e904 = global_9.member[_e844.member_1][_e899];
+                                            let _e927 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.x - _e844.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e928 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.y - _e844.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e929 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.z - _e844.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e931 = select(_e165, _e927, (_e927 > _e165));
+                                            let _e933 = select(_e165, _e928, (_e928 > _e165));
+                                            let _e935 = select(_e165, _e929, (_e929 > _e165));
+                                            let _e966 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e867 & 2097151u))) - 8388608f) * _e931));
+                                            let _e971 = (bitcast<i32>((_e867 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e974 = bitcast<f32>((_e966 & bitcast<u32>(_e971)));
+                                            let _e975 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e882 & 2097151u))) - 8388608f) * _e933));
+                                            let _e980 = (bitcast<i32>((_e882 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e983 = bitcast<f32>((_e975 & bitcast<u32>(_e980)));
+                                            let _e984 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e897 & 2097151u))) - 8388608f) * _e935));
+                                            let _e989 = (bitcast<i32>((_e897 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e992 = bitcast<f32>((_e984 & bitcast<u32>(_e989)));
+                                            let _e996 = bitcast<f32>((_e966 & bitcast<u32>(~(_e971))));
+                                            let _e1000 = bitcast<f32>((_e975 & bitcast<u32>(~(_e980))));
+                                            let _e1004 = bitcast<f32>((_e984 & bitcast<u32>(~(_e989))));
+                                            let _e1005 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e874 & 2097151u))) - 8388608f) * _e931));
+                                            let _e1010 = (bitcast<i32>((_e874 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1013 = bitcast<f32>((_e1005 & bitcast<u32>(_e1010)));
+                                            let _e1014 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e889 & 2097151u))) - 8388608f) * _e933));
+                                            let _e1019 = (bitcast<i32>((_e889 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1022 = bitcast<f32>((_e1014 & bitcast<u32>(_e1019)));
+                                            let _e1023 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e904 & 2097151u))) - 8388608f) * _e935));
+                                            let _e1028 = (bitcast<i32>((_e904 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1031 = bitcast<f32>((_e1023 & bitcast<u32>(_e1028)));
+                                            let _e1035 = bitcast<f32>((_e1005 & bitcast<u32>(~(_e1010))));
+                                            let _e1039 = bitcast<f32>((_e1014 & bitcast<u32>(~(_e1019))));
+                                            let _e1043 = bitcast<f32>((_e1023 & bitcast<u32>(~(_e1028))));
+                                            let _e1044 = (_e844.member.member.x + _e974);
+                                            let _e1045 = (_e844.member.member.y + _e983);
+                                            let _e1046 = (_e844.member.member.z + _e992);
+                                            let _e1049 = (_e844.member.member_1.x - _e1013);
+                                            let _e1050 = (_e844.member.member_1.y - _e1022);
+                                            let _e1051 = (_e844.member.member_1.z - _e1031);
+                                            let _e1070 = (_e1049 - _e1044);
+                                            let _e1071 = (_e1050 - _e1045);
+                                            let _e1072 = (_e1051 - _e1046);
+                                            let _e1074 = select(_e1071, _e1070, (_e1070 > _e1071));
+                                            let _e1076 = select(_e1072, _e1074, (_e1074 > _e1072));
+                                            if (_e1076 < (1024f * _e165)) {
+                                                phi_3942_ = 0u;
                                             } else {
-                                                phi_3506_ = select(2u, 1u, (_e849 < (2097152f * _e159)));
+                                                phi_3942_ = select(2u, 1u, (_e1076 < (2097152f * _e165)));
                                             }
-                                            let _e856 = phi_3506_;
-                                            switch bitcast<i32>(_e856) {
+                                            let _e1083 = phi_3942_;
+                                            switch bitcast<i32>(_e1083) {
                                                 case 0: {
-                                                    phi_3512_ = 1u;
+                                                    phi_3948_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3512_ = 2u;
+                                                    phi_3948_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3512_ = 3u;
+                                                    phi_3948_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3512_ = u32();
+                                                    phi_3948_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e859 = phi_3512_;
-                                            let _e865 = global_9.member[_e623.member_1][0u];
-                                            let _e869 = global_9.member[_e623.member_1][2u];
-                                            let _e873 = global_9.member[_e623.member_1][4u];
-                                            let _e877 = global_9.member[_e623.member_1][6u];
-                                            let _e889 = (((_e869 >> bitcast<u32>(22i)) | ((_e873 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e877 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e890 = (_e865 & 268435455u);
-                                            let _e891 = (_e889 & 268435455u);
-                                            let _e894 = ((_e865 >> bitcast<u32>(28u)) & 7u);
-                                            let _e902 = ((_e865 >> bitcast<u32>(31i)) | (((_e889 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e903 = (_e894 != 0u);
-                                            if (_e894 == 0u) {
-                                                phi_3767_ = _e890;
+                                            let _e1086 = phi_3948_;
+                                            let _e1092 = global_9.member[_e844.member_1][0u];
+                                            let _e1096 = global_9.member[_e844.member_1][2u];
+                                            let _e1100 = global_9.member[_e844.member_1][4u];
+                                            let _e1104 = global_9.member[_e844.member_1][6u];
+                                            let _e1116 = (((_e1096 >> bitcast<u32>(22i)) | ((_e1100 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1104 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1117 = (_e1092 & 268435455u);
+                                            let _e1118 = (_e1116 & 268435455u);
+                                            let _e1121 = ((_e1092 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1129 = ((_e1092 >> bitcast<u32>(31i)) | (((_e1116 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1130 = (_e1121 != 0u);
+                                            if (_e1121 == 0u) {
+                                                phi_4203_ = _e1117;
                                             } else {
-                                                if (_e894 == 7u) {
-                                                    phi_3766_ = 2147483648u;
+                                                if (_e1121 == 7u) {
+                                                    phi_4202_ = 2147483648u;
                                                 } else {
-                                                    phi_3766_ = ((2147483648u | (_e894 << bitcast<u32>(28u))) | (_e891 & 268435455u));
+                                                    phi_4202_ = ((2147483648u | (_e1121 << bitcast<u32>(28u))) | (_e1118 & 268435455u));
                                                 }
-                                                let _e912 = phi_3766_;
-                                                phi_3767_ = _e912;
+                                                let _e1139 = phi_4202_;
+                                                phi_4203_ = _e1139;
                                             }
-                                            let _e914 = phi_3767_;
-                                            if _e903 {
-                                                let _e915 = (_e894 != 7u);
-                                                if _e915 {
-                                                    phi_3777_ = (_e891 + (_e894 * ((3u * _e859) + 1u)));
+                                            let _e1141 = phi_4203_;
+                                            if _e1130 {
+                                                let _e1142 = (_e1121 != 7u);
+                                                if _e1142 {
+                                                    phi_4213_ = (_e1118 + (_e1121 * ((3u * _e1086) + 1u)));
                                                 } else {
-                                                    phi_3777_ = u32();
+                                                    phi_4213_ = u32();
                                                 }
-                                                let _e919 = phi_3777_;
-                                                phi_3779_ = _e919;
-                                                phi_3780_ = select(true, false, _e915);
+                                                let _e1146 = phi_4213_;
+                                                phi_4215_ = _e1146;
+                                                phi_4216_ = select(true, false, _e1142);
                                             } else {
-                                                phi_3779_ = u32();
-                                                phi_3780_ = true;
+                                                phi_4215_ = u32();
+                                                phi_4216_ = true;
                                             }
-                                            let _e922 = phi_3779_;
-                                            let _e924 = phi_3780_;
-                                            if (_e902 == 0u) {
-                                                phi_3801_ = (_e890 + select(0u, 1u, !(_e903)));
+                                            let _e1149 = phi_4215_;
+                                            let _e1151 = phi_4216_;
+                                            if (_e1129 == 0u) {
+                                                phi_4237_ = (_e1117 + select(0u, 1u, !(_e1130)));
                                             } else {
-                                                if (_e902 == 7u) {
-                                                    phi_3800_ = 2147483648u;
+                                                if (_e1129 == 7u) {
+                                                    phi_4236_ = 2147483648u;
                                                 } else {
-                                                    phi_3800_ = ((2147483648u | (_e902 << bitcast<u32>(28u))) | (select(_e922, _e891, _e924) & 268435455u));
+                                                    phi_4236_ = ((2147483648u | (_e1129 << bitcast<u32>(28u))) | (select(_e1149, _e1118, _e1151) & 268435455u));
                                                 }
-                                                let _e937 = phi_3800_;
-                                                phi_3801_ = _e937;
+                                                let _e1164 = phi_4236_;
+                                                phi_4237_ = _e1164;
                                             }
-                                            let _e939 = phi_3801_;
-                                            phi_3805_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e817, (_e623.member.member.x + _e769), _e822, (_e623.member.member_1.x - _e808)), vec4<f32>(_e818, (_e623.member.member.y + _e773), _e823, (_e623.member.member_1.y - _e812)), vec4<f32>(_e819, (_e623.member.member.z + _e777), _e824, (_e623.member.member_1.z - _e816))), type_57(type_33((_e623.member.member + vec4<f32>(_e747, _e756, _e765, 0f)), (_e623.member.member_1 - vec4<f32>(_e786, _e795, _e804, 0f))), _e914), type_57(type_33((_e623.member.member + vec4<f32>(_e769, _e773, _e777, 0f)), (_e623.member.member_1 - vec4<f32>(_e808, _e812, _e816, 0f))), _e939));
+                                            let _e1166 = phi_4237_;
+                                            phi_4241_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e1044, (_e844.member.member.x + _e996), _e1049, (_e844.member.member_1.x - _e1035)), vec4<f32>(_e1045, (_e844.member.member.y + _e1000), _e1050, (_e844.member.member_1.y - _e1039)), vec4<f32>(_e1046, (_e844.member.member.z + _e1004), _e1051, (_e844.member.member_1.z - _e1043))), type_57(type_33((_e844.member.member + vec4<f32>(_e974, _e983, _e992, 0f)), (_e844.member.member_1 - vec4<f32>(_e1013, _e1022, _e1031, 0f))), _e1141), type_57(type_33((_e844.member.member + vec4<f32>(_e996, _e1000, _e1004, 0f)), (_e844.member.member_1 - vec4<f32>(_e1035, _e1039, _e1043, 0f))), _e1166));
                                         }
-                                        let _e944 = phi_3805_;
-                                        let _e956 = ((_e944.member[0].x - _e417) * _e422);
-                                        let _e957 = ((_e944.member[0].y - _e417) * _e422);
-                                        let _e958 = ((_e944.member[0].z - _e418) * _e422);
-                                        let _e959 = ((_e944.member[0].w - _e418) * _e422);
-                                        let _e969 = ((_e944.member[1].x - _e453) * _e458);
-                                        let _e970 = ((_e944.member[1].y - _e453) * _e458);
-                                        let _e971 = ((_e944.member[1].z - _e454) * _e458);
-                                        let _e972 = ((_e944.member[1].w - _e454) * _e458);
-                                        let _e982 = ((_e944.member[2].x - _e489) * _e494);
-                                        let _e983 = ((_e944.member[2].y - _e489) * _e494);
-                                        let _e984 = ((_e944.member[2].z - _e490) * _e494);
-                                        let _e985 = ((_e944.member[2].w - _e490) * _e494);
-                                        let _e987 = select(_e984, _e982, (_e982 < _e984));
-                                        let _e989 = select(_e985, _e983, (_e983 < _e985));
-                                        let _e991 = select(_e984, _e982, (_e982 > _e984));
-                                        let _e993 = select(_e985, _e983, (_e983 > _e985));
-                                        let _e995 = select(_e958, _e956, (_e956 < _e958));
-                                        let _e997 = select(_e959, _e957, (_e957 < _e959));
-                                        let _e999 = select(_e971, _e969, (_e969 < _e971));
-                                        let _e1001 = select(_e972, _e970, (_e970 < _e972));
-                                        let _e1003 = select(_e999, _e995, (_e995 > _e999));
-                                        let _e1005 = select(_e1001, _e997, (_e997 > _e1001));
-                                        let _e1007 = select(_e987, _e1003, (_e1003 > _e987));
-                                        let _e1009 = select(_e989, _e1005, (_e1005 > _e989));
-                                        let _e1011 = select(_e958, _e956, (_e956 > _e958));
-                                        let _e1013 = select(_e959, _e957, (_e957 > _e959));
-                                        let _e1015 = select(_e971, _e969, (_e969 > _e971));
-                                        let _e1017 = select(_e972, _e970, (_e970 > _e972));
-                                        let _e1019 = select(_e1015, _e1011, (_e1011 < _e1015));
-                                        let _e1021 = select(_e1017, _e1013, (_e1013 < _e1017));
-                                        let _e1026 = -(_e987);
-                                        let _e1027 = -(_e989);
-                                        let _e1034 = (select(_e991, _e1019, (_e1019 < _e991)) + (select(_e1026, _e991, (_e991 > _e1026)) * 0.0000019073523f));
-                                        let _e1035 = (select(_e993, _e1021, (_e1021 < _e993)) + (select(_e1027, _e993, (_e993 > _e1027)) * 0.0000019073523f));
-                                        let _e1037 = select(_e540, _e1007, (_e1007 > _e540));
-                                        let _e1039 = select(_e540, _e1009, (_e1009 > _e540));
-                                        let _e1044 = (_e1037 <= select(_e584.member_1, _e1034, (_e1034 < _e584.member_1)));
-                                        let _e1045 = (_e1039 <= select(_e584.member_1, _e1035, (_e1035 < _e584.member_1)));
-                                        let _e1046 = (_e1037 <= _e1039);
-                                        if _e1044 {
-                                            if _e1045 {
-                                                if _e1046 {
-                                                    phi_4149_ = _e944.member_2;
+                                        let _e1171 = phi_4241_;
+                                        let _e1183 = ((_e1171.member[0].x - _e513) * _e518);
+                                        let _e1184 = ((_e1171.member[0].y - _e513) * _e518);
+                                        let _e1185 = ((_e1171.member[0].z - _e514) * _e518);
+                                        let _e1186 = ((_e1171.member[0].w - _e514) * _e518);
+                                        let _e1196 = ((_e1171.member[1].x - _e579) * _e584);
+                                        let _e1197 = ((_e1171.member[1].y - _e579) * _e584);
+                                        let _e1198 = ((_e1171.member[1].z - _e580) * _e584);
+                                        let _e1199 = ((_e1171.member[1].w - _e580) * _e584);
+                                        let _e1209 = ((_e1171.member[2].x - _e645) * _e650);
+                                        let _e1210 = ((_e1171.member[2].y - _e645) * _e650);
+                                        let _e1211 = ((_e1171.member[2].z - _e646) * _e650);
+                                        let _e1212 = ((_e1171.member[2].w - _e646) * _e650);
+                                        let _e1214 = select(_e1211, _e1209, (_e1209 < _e1211));
+                                        let _e1216 = select(_e1212, _e1210, (_e1210 < _e1212));
+                                        let _e1218 = select(_e1211, _e1209, (_e1209 > _e1211));
+                                        let _e1220 = select(_e1212, _e1210, (_e1210 > _e1212));
+                                        let _e1222 = select(_e1185, _e1183, (_e1183 < _e1185));
+                                        let _e1224 = select(_e1186, _e1184, (_e1184 < _e1186));
+                                        let _e1226 = select(_e1198, _e1196, (_e1196 < _e1198));
+                                        let _e1228 = select(_e1199, _e1197, (_e1197 < _e1199));
+                                        let _e1230 = select(_e1226, _e1222, (_e1222 > _e1226));
+                                        let _e1232 = select(_e1228, _e1224, (_e1224 > _e1228));
+                                        let _e1234 = select(_e1214, _e1230, (_e1230 > _e1214));
+                                        let _e1236 = select(_e1216, _e1232, (_e1232 > _e1216));
+                                        let _e1238 = select(_e1185, _e1183, (_e1183 > _e1185));
+                                        let _e1240 = select(_e1186, _e1184, (_e1184 > _e1186));
+                                        let _e1242 = select(_e1198, _e1196, (_e1196 > _e1198));
+                                        let _e1244 = select(_e1199, _e1197, (_e1197 > _e1199));
+                                        let _e1246 = select(_e1242, _e1238, (_e1238 < _e1242));
+                                        let _e1248 = select(_e1244, _e1240, (_e1240 < _e1244));
+                                        let _e1253 = -(_e1214);
+                                        let _e1254 = -(_e1216);
+                                        let _e1261 = (select(_e1218, _e1246, (_e1246 < _e1218)) + (select(_e1253, _e1218, (_e1218 > _e1253)) * 0.0000019073523f));
+                                        let _e1262 = (select(_e1220, _e1248, (_e1248 < _e1220)) + (select(_e1254, _e1220, (_e1220 > _e1254)) * 0.0000019073523f));
+                                        let _e1264 = select(_e761, _e1234, (_e1234 > _e761));
+                                        let _e1266 = select(_e761, _e1236, (_e1236 > _e761));
+                                        let _e1271 = (_e1264 <= select(_e805.member_1, _e1261, (_e1261 < _e805.member_1)));
+                                        let _e1272 = (_e1266 <= select(_e805.member_1, _e1262, (_e1262 < _e805.member_1)));
+                                        let _e1273 = (_e1264 <= _e1266);
+                                        if _e1271 {
+                                            if _e1272 {
+                                                if _e1273 {
+                                                    phi_4585_ = _e1171.member_2;
                                                 } else {
-                                                    phi_4149_ = _e944.member_1;
+                                                    phi_4585_ = _e1171.member_1;
                                                 }
-                                                let _e1050 = phi_4149_;
-                                                let _e1072 = (_e627 % 128u);
-                                                let _e1073 = (_e1072 < 128u);
-                                                if _e1073 {
+                                                let _e1277 = phi_4585_;
+                                                let _e1299 = (_e848 % 128u);
+                                                let _e1300 = (_e1299 < 128u);
+                                                if _e1300 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1072] = _e1050.member_1;
-                                                if _e1073 {
+                                                local_8[_e1299] = _e1277.member_1;
+                                                if _e1300 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1072] = _e1050.member.member.x;
-                                                if _e1073 {
+                                                local_7[_e1299] = _e1277.member.member.x;
+                                                if _e1300 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1072] = _e1050.member.member.y;
-                                                if _e1073 {
+                                                local_6[_e1299] = _e1277.member.member.y;
+                                                if _e1300 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1072] = _e1050.member.member.z;
-                                                if _e1073 {
+                                                local_5[_e1299] = _e1277.member.member.z;
+                                                if _e1300 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1072] = _e1050.member.member_1.x;
-                                                if _e1073 {
+                                                local_4[_e1299] = _e1277.member.member_1.x;
+                                                if _e1300 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1072] = _e1050.member.member_1.y;
-                                                if _e1073 {
+                                                local_3[_e1299] = _e1277.member.member_1.y;
+                                                if _e1300 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1072] = _e1050.member.member_1.z;
-                                                if _e1073 {
+                                                local_2[_e1299] = _e1277.member.member_1.z;
+                                                if _e1300 {
                                                 } else {
-                                                    phi_4801_ = true;
+                                                    phi_5369_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1072] = select(_e1039, _e1037, (_e1037 > _e1039));
-                                                if _e1046 {
-                                                    phi_4226_ = _e944.member_1;
+                                                local_9[_e1299] = select(_e1266, _e1264, (_e1264 > _e1266));
+                                                if _e1273 {
+                                                    phi_4662_ = _e1171.member_1;
                                                 } else {
-                                                    phi_4226_ = _e944.member_2;
+                                                    phi_4662_ = _e1171.member_2;
                                                 }
-                                                let _e1086 = phi_4226_;
-                                                phi_4227_ = _e1086;
-                                                phi_4228_ = (_e627 + 1u);
+                                                let _e1313 = phi_4662_;
+                                                phi_4663_ = _e1313;
+                                                phi_4664_ = (_e848 + 1u);
                                             } else {
-                                                phi_4227_ = type_57();
-                                                phi_4228_ = u32();
+                                                phi_4663_ = type_57();
+                                                phi_4664_ = u32();
                                             }
-                                            let _e1088 = phi_4227_;
-                                            let _e1090 = phi_4228_;
-                                            phi_4230_ = _e1088;
-                                            phi_4231_ = _e1090;
-                                            phi_4232_ = select(true, false, _e1045);
+                                            let _e1315 = phi_4663_;
+                                            let _e1317 = phi_4664_;
+                                            phi_4666_ = _e1315;
+                                            phi_4667_ = _e1317;
+                                            phi_4668_ = select(true, false, _e1272);
                                         } else {
-                                            phi_4230_ = type_57();
-                                            phi_4231_ = u32();
-                                            phi_4232_ = true;
+                                            phi_4666_ = type_57();
+                                            phi_4667_ = u32();
+                                            phi_4668_ = true;
                                         }
-                                        let _e1093 = phi_4230_;
-                                        let _e1095 = phi_4231_;
-                                        let _e1097 = phi_4232_;
-                                        if _e1097 {
-                                            if _e1044 {
-                                                phi_4241_ = _e944.member_1;
+                                        let _e1320 = phi_4666_;
+                                        let _e1322 = phi_4667_;
+                                        let _e1324 = phi_4668_;
+                                        if _e1324 {
+                                            if _e1271 {
+                                                phi_4677_ = _e1171.member_1;
                                             } else {
-                                                phi_4241_ = _e944.member_2;
+                                                phi_4677_ = _e1171.member_2;
                                             }
-                                            let _e1101 = phi_4241_;
-                                            phi_4246_ = _e1101;
-                                            phi_4247_ = select(_e1045, true, _e1044);
+                                            let _e1328 = phi_4677_;
+                                            phi_4682_ = _e1328;
+                                            phi_4683_ = select(_e1272, true, _e1271);
                                         } else {
-                                            phi_4246_ = _e1093;
-                                            phi_4247_ = _e625;
+                                            phi_4682_ = _e1320;
+                                            phi_4683_ = _e846;
                                         }
-                                        let _e1104 = phi_4246_;
-                                        let _e1106 = phi_4247_;
-                                        phi_4805_ = _e582;
-                                        phi_4249_ = _e584;
-                                        phi_4250_ = _e1104;
-                                        phi_4251_ = _e1106;
-                                        phi_4252_ = select(_e1095, _e627, _e1097);
+                                        let _e1331 = phi_4682_;
+                                        let _e1333 = phi_4683_;
+                                        phi_5373_ = _e803;
+                                        phi_4685_ = _e805;
+                                        phi_4686_ = _e1331;
+                                        phi_4687_ = _e1333;
+                                        phi_4688_ = select(_e1322, _e848, _e1324);
                                     }
-                                    let _e2256 = phi_4805_;
-                                    let _e2258 = phi_4249_;
-                                    let _e2260 = phi_4250_;
-                                    let _e2262 = phi_4251_;
-                                    let _e2264 = phi_4252_;
-                                    phi_4804_ = _e2256;
-                                    phi_4253_ = _e2258;
-                                    phi_4254_ = _e2260;
-                                    phi_4255_ = (_e588 - 1u);
-                                    phi_4256_ = _e2262;
-                                    phi_4257_ = _e2264;
+                                    let _e2501 = phi_5373_;
+                                    let _e2503 = phi_4685_;
+                                    let _e2505 = phi_4686_;
+                                    let _e2507 = phi_4687_;
+                                    let _e2509 = phi_4688_;
+                                    phi_5372_ = _e2501;
+                                    phi_4689_ = _e2503;
+                                    phi_4690_ = _e2505;
+                                    phi_4691_ = (_e809 - 1u);
+                                    phi_4692_ = _e2507;
+                                    phi_4693_ = _e2509;
                                 } else {
-                                    phi_4804_ = _e582;
-                                    phi_4253_ = _e584;
-                                    phi_4254_ = _e623;
-                                    phi_4255_ = _e588;
-                                    phi_4256_ = _e625;
-                                    phi_4257_ = _e627;
+                                    phi_5372_ = _e803;
+                                    phi_4689_ = _e805;
+                                    phi_4690_ = _e844;
+                                    phi_4691_ = _e809;
+                                    phi_4692_ = _e846;
+                                    phi_4693_ = _e848;
                                 }
-                                let _e2266 = phi_4804_;
-                                let _e2268 = phi_4253_;
-                                let _e2270 = phi_4254_;
-                                let _e2272 = phi_4255_;
-                                let _e2274 = phi_4256_;
-                                let _e2276 = phi_4257_;
-                                phi_4803_ = _e2266;
-                                phi_4258_ = _e2268;
-                                phi_4259_ = _e2270;
-                                phi_4260_ = _e2272;
-                                phi_4261_ = _e2274;
-                                phi_4262_ = _e2276;
+                                let _e2511 = phi_5372_;
+                                let _e2513 = phi_4689_;
+                                let _e2515 = phi_4690_;
+                                let _e2517 = phi_4691_;
+                                let _e2519 = phi_4692_;
+                                let _e2521 = phi_4693_;
+                                phi_5371_ = _e2511;
+                                phi_4694_ = _e2513;
+                                phi_4695_ = _e2515;
+                                phi_4696_ = _e2517;
+                                phi_4697_ = _e2519;
+                                phi_4698_ = _e2521;
                             } else {
-                                phi_4803_ = _e582;
-                                phi_4258_ = type_38();
-                                phi_4259_ = type_57();
-                                phi_4260_ = u32();
-                                phi_4261_ = bool();
-                                phi_4262_ = u32();
+                                phi_5371_ = _e803;
+                                phi_4694_ = type_38();
+                                phi_4695_ = type_57();
+                                phi_4696_ = u32();
+                                phi_4697_ = bool();
+                                phi_4698_ = u32();
                             }
-                            let _e2278 = phi_4803_;
-                            let _e2280 = phi_4258_;
-                            let _e2282 = phi_4259_;
-                            let _e2284 = phi_4260_;
-                            let _e2286 = phi_4261_;
-                            let _e2288 = phi_4262_;
-                            phi_4802_ = _e2278;
-                            phi_967_ = _e2280;
-                            phi_970_ = _e2282;
-                            phi_972_ = _e2284;
-                            phi_974_ = _e2286;
-                            phi_976_ = _e2288;
-                            phi_4263_ = _e596;
+                            let _e2523 = phi_5371_;
+                            let _e2525 = phi_4694_;
+                            let _e2527 = phi_4695_;
+                            let _e2529 = phi_4696_;
+                            let _e2531 = phi_4697_;
+                            let _e2533 = phi_4698_;
+                            phi_5370_ = _e2523;
+                            phi_1385_ = _e2525;
+                            phi_1388_ = _e2527;
+                            phi_1390_ = _e2529;
+                            phi_1392_ = _e2531;
+                            phi_1394_ = _e2533;
+                            phi_4699_ = _e817;
                         } else {
-                            phi_4802_ = _e582;
-                            phi_967_ = type_38();
-                            phi_970_ = type_57();
-                            phi_972_ = u32();
-                            phi_974_ = bool();
-                            phi_976_ = u32();
-                            phi_4263_ = false;
+                            phi_5370_ = _e803;
+                            phi_1385_ = type_38();
+                            phi_1388_ = type_57();
+                            phi_1390_ = u32();
+                            phi_1392_ = bool();
+                            phi_1394_ = u32();
+                            phi_4699_ = false;
                         }
-                        let _e2290 = phi_4802_;
-                        let _e2292 = phi_967_;
-                        let _e2294 = phi_970_;
-                        let _e2296 = phi_972_;
-                        let _e2298 = phi_974_;
-                        let _e2300 = phi_976_;
-                        let _e2302 = phi_4263_;
+                        let _e2535 = phi_5370_;
+                        let _e2537 = phi_1385_;
+                        let _e2539 = phi_1388_;
+                        let _e2541 = phi_1390_;
+                        let _e2543 = phi_1392_;
+                        let _e2545 = phi_1394_;
+                        let _e2547 = phi_4699_;
                         continue;
                         continuing {
-                            phi_4594_ = _e2290;
-                            phi_966_ = _e2292;
-                            phi_969_ = _e2294;
-                            phi_971_ = _e2296;
-                            phi_973_ = _e2298;
-                            phi_975_ = _e2300;
-                            phi_4801_ = _e2290;
-                            break if !(_e2302);
+                            phi_5136_ = _e2535;
+                            phi_1384_ = _e2537;
+                            phi_1387_ = _e2539;
+                            phi_1389_ = _e2541;
+                            phi_1391_ = _e2543;
+                            phi_1393_ = _e2545;
+                            phi_5369_ = _e2535;
+                            break if !(_e2547);
                         }
                     }
-                    let _e2305 = phi_4801_;
-                    if _e2305 {
+                    let _e2550 = phi_5369_;
+                    if _e2550 {
                         break;
                     }
-                    let _e2307 = local_10;
-                    if (_e2307.member.member_3 != 4294967295u) {
-                        let _e2312 = (_e364 / 3i);
-                        let _e2319 = bitcast<f32>((bitcast<u32>((_e2312 + 127i)) << bitcast<u32>(23i)));
-                        let _e2327 = (((_e2307.member.member * _e2319) * _e2319) * bitcast<f32>((bitcast<u32>(((_e364 - (2i * _e2312)) + 127i)) << bitcast<u32>(23i))));
-                        let _e2329 = select(340282350000000000000000000000000000000f, _e2327, (_e2327 < 340282350000000000000000000000000000000f));
-                        phi_4315_ = type_21(select(-340282350000000000000000000000000000000f, _e2329, (_e2329 > -340282350000000000000000000000000000000f)), _e2307.member.member_1, _e2307.member.member_2, _e2307.member.member_3);
+                    let _e2552 = local_10;
+                    if (_e2552.member.member_3 != 4294967295u) {
+                        let _e2557 = bitcast<u32>(_e2552.member.member);
+                        let _e2561 = (bitcast<i32>((_e2557 >> bitcast<u32>(23i))) & 255i);
+                        let _e2562 = (_e2561 + _e430);
+                        if (_e2561 == 255i) {
+                            phi_4758_ = _e2552.member.member;
+                        } else {
+                            if (_e2561 > 0i) {
+                                if (_e2562 > 0i) {
+                                    let _e2566 = (_e2562 < 255i);
+                                    if _e2566 {
+                                        phi_4737_ = bitcast<f32>((_e2557 + bitcast<u32>((_e430 << bitcast<u32>(23i)))));
+                                    } else {
+                                        phi_4737_ = f32();
+                                    }
+                                    let _e2573 = phi_4737_;
+                                    phi_4739_ = _e2573;
+                                    phi_4740_ = select(true, false, _e2566);
+                                } else {
+                                    phi_4739_ = f32();
+                                    phi_4740_ = true;
+                                }
+                                let _e2576 = phi_4739_;
+                                let _e2578 = phi_4740_;
+                                phi_4741_ = _e2576;
+                                phi_4742_ = _e2578;
+                            } else {
+                                phi_4741_ = f32();
+                                phi_4742_ = true;
+                            }
+                            let _e2580 = phi_4741_;
+                            let _e2582 = phi_4742_;
+                            if _e2582 {
+                                let _e2583 = (_e2557 & 2147483648u);
+                                let _e2590 = ((_e2557 & 8388607u) | (select(0u, 1u, ((_e2557 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2594 = (_e2590 == 0u);
+                                if _e2594 {
+                                    phi_5088_ = bitcast<f32>(_e2583);
+                                } else {
+                                    let _e2599 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2590)), 32u, _e2594) - 8u);
+                                    let _e2602 = (_e2590 << bitcast<u32>((_e2599 & 31u)));
+                                    let _e2604 = ((_e2562 + select(0i, 1i, (_e2561 == 0i))) - bitcast<i32>(_e2599));
+                                    if (_e2604 >= 255i) {
+                                        phi_5078_ = bitcast<f32>((_e2583 | 2139095040u));
+                                        phi_5079_ = f32();
+                                        phi_5080_ = true;
+                                    } else {
+                                        let _e2606 = (_e2604 > 0i);
+                                        if _e2606 {
+                                            phi_5072_ = bitcast<f32>(((_e2583 | (bitcast<u32>(_e2604) << bitcast<u32>(23i))) | (_e2602 & 8388607u)));
+                                            phi_5073_ = f32();
+                                        } else {
+                                            if (_e2604 < -24i) {
+                                                phi_5038_ = 26u;
+                                            } else {
+                                                phi_5038_ = bitcast<u32>((1i - _e2604));
+                                            }
+                                            let _e2611 = phi_5038_;
+                                            let _e2612 = (_e2611 & 31u);
+                                            let _e2614 = (_e2602 >> bitcast<u32>(_e2612));
+                                            let _e2618 = (_e2602 & ((1u << bitcast<u32>(_e2612)) - 1u));
+                                            let _e2622 = (1u << bitcast<u32>(((_e2611 - 1u) & 31u)));
+                                            if (_e2618 > _e2622) {
+                                                phi_5059_ = true;
+                                            } else {
+                                                if (_e2618 == _e2622) {
+                                                    phi_5056_ = ((_e2614 & 1u) == 1u);
+                                                } else {
+                                                    phi_5056_ = false;
+                                                }
+                                                let _e2628 = phi_5056_;
+                                                phi_5059_ = _e2628;
+                                            }
+                                            let _e2630 = phi_5059_;
+                                            phi_5072_ = f32();
+                                            phi_5073_ = bitcast<f32>((_e2583 | (_e2614 + select(0u, 1u, _e2630))));
+                                        }
+                                        let _e2643 = phi_5072_;
+                                        let _e2645 = phi_5073_;
+                                        phi_5078_ = _e2643;
+                                        phi_5079_ = _e2645;
+                                        phi_5080_ = _e2606;
+                                    }
+                                    let _e2649 = phi_5078_;
+                                    let _e2651 = phi_5079_;
+                                    let _e2653 = phi_5080_;
+                                    phi_5088_ = select(_e2651, _e2649, _e2653);
+                                }
+                                let _e2657 = phi_5088_;
+                                phi_4757_ = _e2657;
+                            } else {
+                                phi_4757_ = _e2580;
+                            }
+                            let _e2659 = phi_4757_;
+                            phi_4758_ = _e2659;
+                        }
+                        let _e2661 = phi_4758_;
+                        let _e2662 = bitcast<u32>(_e2661);
+                        if ((_e2662 & 2147483647u) >= 2139095040u) {
+                            phi_4770_ = bitcast<f32>(((_e2662 & 2147483648u) | 2139095039u));
+                        } else {
+                            phi_4770_ = _e2661;
+                        }
+                        let _e2669 = phi_4770_;
+                        phi_4775_ = type_21(_e2669, _e2552.member.member_1, _e2552.member.member_2, _e2552.member.member_3);
                     } else {
-                        phi_4315_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4775_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2336 = phi_4315_;
-                    if _e241 {
+                    let _e2674 = phi_4775_;
+                    if _e307 {
                     } else {
                         break;
                     }
-                    global_7.member[_e147] = _e2336;
-                    if _e162 {
+                    global_7.member[_e153] = _e2674;
+                    if _e168 {
                     } else {
                         break;
                     }
-                    let _e2340 = select(0u, 1u, (_e308 <= _e318));
-                    if (_e2340 > 0u) {
-                        let _e2342 = (1u < _e115);
-                        if _e2342 {
-                            if (0u < _e115) {
+                    let _e2678 = select(0u, 1u, (_e374 <= _e384));
+                    if (_e2678 > 0u) {
+                        let _e2680 = (1u < _e121);
+                        if _e2680 {
+                            if (0u < _e121) {
                             } else {
                                 break;
                             }
-                            let _e2346 = atomicAdd((&global_8.member[0u]), _e2340);
-                            if ((_e2346 + _e2340) < _e2346) {
-                                if _e2342 {
+                            let _e2684 = atomicAdd((&global_8.member[0u]), _e2678);
+                            if ((_e2684 + _e2678) < _e2684) {
+                                if _e2680 {
                                 } else {
                                     break;
                                 }
-                                let _e2351 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e2689 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2354 = select(0u, 1u, (_e2336.member_3 != 4294967295u));
-                    if (_e2354 > 0u) {
-                        let _e2356 = (3u < _e115);
-                        if _e2356 {
-                            if (2u < _e115) {
+                    let _e2692 = select(0u, 1u, (_e2674.member_3 != 4294967295u));
+                    if (_e2692 > 0u) {
+                        let _e2694 = (3u < _e121);
+                        if _e2694 {
+                            if (2u < _e121) {
                             } else {
                                 break;
                             }
-                            let _e2360 = atomicAdd((&global_8.member[2u]), _e2354);
-                            if ((_e2360 + _e2354) < _e2360) {
-                                if _e2356 {
+                            let _e2698 = atomicAdd((&global_8.member[2u]), _e2692);
+                            if ((_e2698 + _e2692) < _e2698) {
+                                if _e2694 {
                                 } else {
                                     break;
                                 }
-                                let _e2365 = atomicAdd((&global_8.member[3u]), 1u);
+                                let _e2703 = atomicAdd((&global_8.member[3u]), 1u);
                             }
                         }
                     }

@@ -121,1285 +121,1356 @@ var<storage, read_write> global_9: type_32;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_224_: u32;
-    var phi_268_: i32;
-    var phi_292_: type_47;
-    var phi_442_: i32;
-    var phi_443_: i32;
-    var phi_453_: bool;
-    var phi_463_: u32;
-    var phi_464_: u32;
-    var phi_466_: bool;
-    var phi_471_: u32;
-    var phi_503_: i32;
-    var phi_521_: f32;
-    var phi_527_: f32;
-    var phi_538_: f32;
-    var phi_544_: f32;
-    var phi_567_: f32;
-    var phi_578_: f32;
-    var phi_587_: f32;
-    var phi_593_: f32;
-    var phi_604_: f32;
-    var phi_610_: f32;
-    var phi_633_: f32;
-    var phi_644_: f32;
-    var phi_653_: f32;
-    var phi_659_: f32;
-    var phi_670_: f32;
-    var phi_676_: f32;
-    var phi_699_: f32;
-    var phi_710_: f32;
-    var phi_810_: f32;
-    var phi_811_: f32;
-    var phi_2745_: bool;
-    var phi_822_: type_55;
-    var phi_825_: u32;
-    var phi_827_: u32;
-    var phi_829_: bool;
-    var phi_831_: u32;
-    var phi_842_: bool;
-    var phi_874_: u32;
-    var phi_875_: bool;
-    var phi_876_: u32;
-    var phi_2263_: type_54;
-    var phi_2607_: u32;
-    var phi_2635_: u32;
-    var phi_2636_: u32;
-    var phi_2637_: u32;
-    var phi_2639_: u32;
-    var phi_2640_: u32;
-    var phi_2641_: bool;
-    var phi_2650_: u32;
-    var phi_2655_: u32;
-    var phi_2656_: bool;
-    var phi_891_: type_55;
-    var phi_894_: type_8;
-    var phi_895_: type_8;
-    var phi_917_: type_8;
-    var phi_938_: u32;
-    var phi_1027_: array<array<f32, 3>, 3>;
-    var phi_1144_: bool;
-    var phi_1173_: bool;
-    var phi_1574_: f32;
-    var phi_1575_: f32;
-    var phi_1576_: f32;
-    var phi_1577_: f32;
-    var phi_1578_: vec3<f32>;
-    var phi_1579_: vec3<f32>;
-    var phi_1580_: vec3<f32>;
-    var phi_1581_: vec3<f32>;
-    var phi_1612_: bool;
-    var phi_1621_: vec3<f32>;
-    var phi_1786_: f32;
-    var phi_1788_: f32;
-    var phi_1789_: bool;
-    var phi_1809_: f32;
-    var phi_1810_: f32;
-    var phi_1833_: type_28;
-    var phi_1835_: type_28;
-    var phi_1836_: bool;
-    var phi_1840_: type_28;
-    var phi_1841_: type_28;
-    var phi_1842_: type_28;
-    var phi_1843_: bool;
-    var phi_1847_: type_28;
-    var phi_1848_: bool;
-    var phi_1849_: type_28;
-    var phi_1850_: bool;
-    var phi_1851_: bool;
-    var phi_1852_: type_28;
-    var phi_1853_: bool;
-    var phi_1854_: bool;
-    var phi_1862_: type_28;
-    var phi_1863_: bool;
-    var phi_1867_: type_28;
-    var phi_1890_: u32;
-    var phi_1904_: i32;
-    var phi_1924_: vec3<f32>;
-    var phi_1925_: vec3<f32>;
-    var phi_1941_: vec3<f32>;
-    var phi_1942_: vec3<f32>;
-    var phi_1958_: vec3<f32>;
+    var phi_226_: u32;
+    var phi_270_: i32;
+    var phi_410_: type_47;
+    var phi_560_: i32;
+    var phi_561_: i32;
+    var phi_571_: bool;
+    var phi_581_: u32;
+    var phi_582_: u32;
+    var phi_584_: bool;
+    var phi_589_: u32;
+    var phi_621_: i32;
+    var phi_639_: f32;
+    var phi_645_: f32;
+    var phi_685_: f32;
+    var phi_691_: f32;
+    var phi_743_: f32;
+    var phi_754_: f32;
+    var phi_763_: f32;
+    var phi_769_: f32;
+    var phi_809_: f32;
+    var phi_815_: f32;
+    var phi_867_: f32;
+    var phi_878_: f32;
+    var phi_887_: f32;
+    var phi_893_: f32;
+    var phi_933_: f32;
+    var phi_939_: f32;
+    var phi_991_: f32;
+    var phi_1002_: f32;
+    var phi_1057_: i32;
+    var phi_1079_: u32;
+    var phi_1080_: u32;
+    var phi_1117_: i32;
+    var phi_1139_: u32;
+    var phi_1140_: u32;
+    var phi_1148_: f32;
+    var phi_1149_: f32;
+    var phi_3083_: bool;
+    var phi_1160_: type_55;
+    var phi_1163_: u32;
+    var phi_1165_: u32;
+    var phi_1167_: bool;
+    var phi_1169_: u32;
+    var phi_1180_: bool;
+    var phi_1212_: u32;
+    var phi_1213_: bool;
+    var phi_1214_: u32;
+    var phi_2601_: type_54;
+    var phi_2945_: u32;
+    var phi_2973_: u32;
+    var phi_2974_: u32;
+    var phi_2975_: u32;
+    var phi_2977_: u32;
+    var phi_2978_: u32;
+    var phi_2979_: bool;
+    var phi_2988_: u32;
+    var phi_2993_: u32;
+    var phi_2994_: bool;
+    var phi_1229_: type_55;
+    var phi_1232_: type_8;
+    var phi_1233_: type_8;
+    var phi_1255_: type_8;
+    var phi_1276_: u32;
+    var phi_1365_: array<array<f32, 3>, 3>;
+    var phi_1482_: bool;
+    var phi_1511_: bool;
+    var phi_1912_: f32;
+    var phi_1913_: f32;
+    var phi_1914_: f32;
+    var phi_1915_: f32;
+    var phi_1916_: vec3<f32>;
+    var phi_1917_: vec3<f32>;
+    var phi_1918_: vec3<f32>;
+    var phi_1919_: vec3<f32>;
+    var phi_1950_: bool;
     var phi_1959_: vec3<f32>;
-    var phi_1995_: vec3<f32>;
-    var phi_2177_: f32;
-    var phi_2195_: bool;
-    var phi_2196_: bool;
-    var phi_2201_: type_55;
-    var phi_2202_: type_55;
-    var phi_892_: type_55;
-    var phi_2739_: bool;
+    var phi_2124_: f32;
+    var phi_2126_: f32;
+    var phi_2127_: bool;
+    var phi_2147_: f32;
+    var phi_2148_: f32;
+    var phi_2171_: type_28;
+    var phi_2173_: type_28;
+    var phi_2174_: bool;
+    var phi_2178_: type_28;
+    var phi_2179_: type_28;
+    var phi_2180_: type_28;
+    var phi_2181_: bool;
+    var phi_2185_: type_28;
+    var phi_2186_: bool;
+    var phi_2187_: type_28;
+    var phi_2188_: bool;
+    var phi_2189_: bool;
+    var phi_2190_: type_28;
+    var phi_2191_: bool;
+    var phi_2192_: bool;
+    var phi_2200_: type_28;
+    var phi_2201_: bool;
+    var phi_2205_: type_28;
+    var phi_2228_: u32;
+    var phi_2242_: i32;
+    var phi_2262_: vec3<f32>;
+    var phi_2263_: vec3<f32>;
+    var phi_2279_: vec3<f32>;
+    var phi_2280_: vec3<f32>;
+    var phi_2296_: vec3<f32>;
+    var phi_2297_: vec3<f32>;
+    var phi_2333_: vec3<f32>;
+    var phi_2515_: f32;
+    var phi_2533_: bool;
+    var phi_2534_: bool;
+    var phi_2539_: type_55;
+    var phi_2540_: type_55;
+    var phi_1230_: type_55;
+    var phi_3077_: bool;
     var local_2: type_55;
-    var phi_2909_: bool;
-    var phi_2658_: type_55;
-    var phi_2659_: u32;
-    var phi_2660_: bool;
-    var phi_2661_: u32;
-    var phi_2908_: bool;
-    var phi_2662_: type_55;
-    var phi_2663_: u32;
-    var phi_2664_: u32;
-    var phi_2665_: bool;
-    var phi_2666_: u32;
-    var phi_2907_: bool;
-    var phi_2667_: type_55;
-    var phi_2668_: u32;
-    var phi_2669_: u32;
-    var phi_2670_: bool;
-    var phi_2671_: u32;
-    var phi_2906_: bool;
-    var phi_823_: type_55;
-    var phi_826_: u32;
-    var phi_828_: u32;
-    var phi_830_: bool;
-    var phi_832_: u32;
-    var phi_2672_: bool;
-    var phi_2905_: bool;
+    var phi_3273_: bool;
+    var phi_2996_: type_55;
+    var phi_2997_: u32;
+    var phi_2998_: bool;
+    var phi_2999_: u32;
+    var phi_3272_: bool;
+    var phi_3000_: type_55;
+    var phi_3001_: u32;
+    var phi_3002_: u32;
+    var phi_3003_: bool;
+    var phi_3004_: u32;
+    var phi_3271_: bool;
+    var phi_3005_: type_55;
+    var phi_3006_: u32;
+    var phi_3007_: u32;
+    var phi_3008_: bool;
+    var phi_3009_: u32;
+    var phi_3270_: bool;
+    var phi_1161_: type_55;
+    var phi_1164_: u32;
+    var phi_1166_: u32;
+    var phi_1168_: bool;
+    var phi_1170_: u32;
+    var phi_3010_: bool;
+    var phi_3269_: bool;
     var local_3: type_55;
     var local_4: type_55;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e76 = global;
-            let _e78 = arrayLength((&global_4.member));
-            let _e80 = arrayLength((&global_2.member));
-            let _e92 = arrayLength((&global_7.member));
-            let _e96 = (_e76.x + (_e76.y * 2097152u));
-            let _e97 = (_e96 < arrayLength((&global_8.member)));
-            if _e97 {
-                if _e97 {
+            let _e80 = global;
+            let _e82 = arrayLength((&global_4.member));
+            let _e84 = arrayLength((&global_2.member));
+            let _e96 = arrayLength((&global_7.member));
+            let _e100 = (_e80.x + (_e80.y * 2097152u));
+            let _e101 = (_e100 < arrayLength((&global_8.member)));
+            if _e101 {
+                if _e101 {
                 } else {
                     break;
                 }
-                let _e101 = global_8.member[_e96].member_2;
-                phi_224_ = _e101;
+                let _e105 = global_8.member[_e100].member_2;
+                phi_226_ = _e105;
             } else {
-                phi_224_ = 4294967295u;
+                phi_226_ = 4294967295u;
             }
-            let _e103 = phi_224_;
-            let _e106 = global_1.member[0u];
-            let _e110 = global_3.member[0u][0u];
-            let _e114 = global_3.member[0u][1u];
-            let _e118 = global_3.member[0u][2u];
-            let _e122 = global_3.member[0u][3u];
-            let _e126 = global_3.member[1u][0u];
-            let _e130 = global_3.member[1u][1u];
-            let _e134 = global_3.member[1u][2u];
-            let _e138 = global_3.member[1u][3u];
-            let _e139 = bitcast<f32>(_e110);
-            let _e140 = bitcast<f32>(_e114);
-            let _e141 = bitcast<f32>(_e118);
-            let _e143 = bitcast<f32>(_e126);
-            let _e144 = array<u32, 3>(_e130, _e134, _e138);
-            let _e146 = bitcast<i32>(_e106);
-            if (_e146 < -126i) {
-                phi_268_ = -126i;
+            let _e107 = phi_226_;
+            let _e110 = global_1.member[0u];
+            let _e114 = global_3.member[0u][0u];
+            let _e118 = global_3.member[0u][1u];
+            let _e122 = global_3.member[0u][2u];
+            let _e126 = global_3.member[0u][3u];
+            let _e130 = global_3.member[1u][0u];
+            let _e134 = global_3.member[1u][1u];
+            let _e138 = global_3.member[1u][2u];
+            let _e142 = global_3.member[1u][3u];
+            let _e143 = bitcast<f32>(_e114);
+            let _e144 = bitcast<f32>(_e118);
+            let _e145 = bitcast<f32>(_e122);
+            let _e147 = bitcast<f32>(_e130);
+            let _e148 = array<u32, 3>(_e134, _e138, _e142);
+            let _e150 = bitcast<i32>(_e110);
+            if (_e150 < -126i) {
+                phi_270_ = -126i;
             } else {
-                phi_268_ = select(_e146, 127i, (_e146 > 127i));
+                phi_270_ = select(_e150, 127i, (_e150 > 127i));
             }
-            let _e151 = phi_268_;
-            let _e156 = bitcast<f32>((bitcast<u32>((_e151 + 127i)) << bitcast<u32>(23i)));
-            let _e162 = bitcast<f32>((bitcast<u32>(((_e146 - _e151) + 127i)) << bitcast<u32>(23i)));
-            if (_e122 == 0u) {
-                phi_292_ = type_47(array<f32, 3>(_e139, _e140, _e141), _e122, _e143, _e144);
+            let _e155 = phi_270_;
+            let _e160 = bitcast<f32>((bitcast<u32>((_e155 + 127i)) << bitcast<u32>(23i)));
+            let _e166 = bitcast<f32>((bitcast<u32>(((_e150 - _e155) + 127i)) << bitcast<u32>(23i)));
+            if (_e126 == 0u) {
+                phi_410_ = type_47(array<f32, 3>(_e143, _e144, _e145), _e126, _e147, _e148);
             } else {
-                phi_292_ = type_47(array<f32, 3>(((_e139 * _e156) * _e162), ((_e140 * _e156) * _e162), ((_e141 * _e156) * _e162)), _e122, ((_e143 * _e156) * _e162), _e144);
+                let _e168 = bitcast<u32>(_e143);
+                let _e170 = ((_e168 & 2139095040u) != 0u);
+                let _e185 = bitcast<u32>(_e144);
+                let _e187 = ((_e185 & 2139095040u) != 0u);
+                let _e202 = bitcast<u32>(_e145);
+                let _e204 = ((_e202 & 2139095040u) != 0u);
+                let _e220 = bitcast<u32>(_e147);
+                let _e222 = ((_e220 & 2139095040u) != 0u);
+                phi_410_ = type_47(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e168 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e168 & 2147483648u))), _e143, _e170) * _e160) * select(0.00000011920929f, 1f, _e170)) * _e166), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e185 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e185 & 2147483648u))), _e144, _e187) * _e160) * select(0.00000011920929f, 1f, _e187)) * _e166), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e202 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e202 & 2147483648u))), _e145, _e204) * _e160) * select(0.00000011920929f, 1f, _e204)) * _e166)), _e126, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e220 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e220 & 2147483648u))), _e147, _e222) * _e160) * select(0.00000011920929f, 1f, _e222)) * _e166), _e148);
             }
-            let _e175 = phi_292_;
-            if _e97 {
-                let _e176 = (_e96 < arrayLength((&global_9.member)));
-                if _e176 {
-                    if _e97 {
+            let _e239 = phi_410_;
+            if _e101 {
+                let _e240 = (_e100 < arrayLength((&global_9.member)));
+                if _e240 {
+                    if _e101 {
                     } else {
                         break;
                     }
-                    let _e181 = global_8.member[_e96].member.member_1;
-                    let _e186 = global_8.member[_e96].member.member_3;
-                    if (_e181 <= _e186) {
-                        let _e188 = (1u < _e92);
-                        if _e188 {
-                            if (0u < _e92) {
+                    let _e245 = global_8.member[_e100].member.member_1;
+                    let _e250 = global_8.member[_e100].member.member_3;
+                    if (_e245 <= _e250) {
+                        let _e252 = (1u < _e96);
+                        if _e252 {
+                            if (0u < _e96) {
                             } else {
                                 break;
                             }
-                            let _e192 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e192 + 1u) < _e192) {
-                                if _e188 {
+                            let _e256 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e256 + 1u) < _e256) {
+                                if _e252 {
                                 } else {
                                     break;
                                 }
-                                let _e197 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e261 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        if _e97 {
+                        if _e101 {
                         } else {
                             break;
                         }
-                        let _e207 = global_8.member[_e96].member.member_2[0u];
-                        let _e209 = (bitcast<u32>(_e207) & 2147483647u);
-                        let _e215 = global_8.member[_e96].member.member_2[1u];
-                        let _e217 = (bitcast<u32>(_e215) & 2147483647u);
-                        let _e223 = global_8.member[_e96].member.member_2[2u];
-                        let _e225 = (bitcast<u32>(_e223) & 2147483647u);
-                        let _e231 = global_8.member[_e96].member.member[0u];
-                        let _e233 = (bitcast<u32>(_e231) & 2147483647u);
-                        let _e239 = global_8.member[_e96].member.member[1u];
-                        let _e241 = (bitcast<u32>(_e239) & 2147483647u);
-                        let _e247 = global_8.member[_e96].member.member[2u];
-                        let _e249 = (bitcast<u32>(_e247) & 2147483647u);
-                        let _e251 = select(_e217, _e209, (_e217 < _e209));
-                        let _e253 = select(_e225, _e251, (_e225 < _e251));
-                        let _e255 = select(_e233, _e253, (_e233 < _e253));
-                        let _e257 = select(_e241, _e255, (_e241 < _e255));
-                        let _e259 = select(_e249, _e257, (_e249 < _e257));
-                        let _e261 = (bitcast<u32>(_e181) & 2147483647u);
-                        let _e270 = (((select(_e261, _e259, (_e261 < _e259)) < 2139095040u) && ((bitcast<u32>(_e186) & 2147483647u) <= 2139095040u)) && (_e253 > 0u));
-                        if _e270 {
-                            let _e273 = (bitcast<u32>(bitcast<f32>(_e253)) & 2147483647u);
-                            if (_e273 >= 8388608u) {
-                                phi_442_ = (bitcast<i32>((_e273 >> bitcast<u32>(23i))) - 127i);
+                        let _e271 = global_8.member[_e100].member.member_2[0u];
+                        let _e273 = (bitcast<u32>(_e271) & 2147483647u);
+                        let _e279 = global_8.member[_e100].member.member_2[1u];
+                        let _e281 = (bitcast<u32>(_e279) & 2147483647u);
+                        let _e287 = global_8.member[_e100].member.member_2[2u];
+                        let _e289 = (bitcast<u32>(_e287) & 2147483647u);
+                        let _e295 = global_8.member[_e100].member.member[0u];
+                        let _e297 = (bitcast<u32>(_e295) & 2147483647u);
+                        let _e303 = global_8.member[_e100].member.member[1u];
+                        let _e305 = (bitcast<u32>(_e303) & 2147483647u);
+                        let _e311 = global_8.member[_e100].member.member[2u];
+                        let _e313 = (bitcast<u32>(_e311) & 2147483647u);
+                        let _e315 = select(_e281, _e273, (_e281 < _e273));
+                        let _e317 = select(_e289, _e315, (_e289 < _e315));
+                        let _e319 = select(_e297, _e317, (_e297 < _e317));
+                        let _e321 = select(_e305, _e319, (_e305 < _e319));
+                        let _e323 = select(_e313, _e321, (_e313 < _e321));
+                        let _e324 = bitcast<u32>(_e245);
+                        let _e325 = (_e324 & 2147483647u);
+                        let _e329 = bitcast<u32>(_e250);
+                        let _e330 = (_e329 & 2147483647u);
+                        let _e334 = (((select(_e325, _e323, (_e325 < _e323)) < 2139095040u) && (_e330 <= 2139095040u)) && (_e317 > 0u));
+                        if _e334 {
+                            let _e337 = (bitcast<u32>(bitcast<f32>(_e317)) & 2147483647u);
+                            if (_e337 >= 8388608u) {
+                                phi_560_ = (bitcast<i32>((_e337 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_442_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e273)), 32u, (_e273 == 0u))));
+                                phi_560_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e337)), 32u, (_e337 == 0u))));
                             }
-                            let _e287 = phi_442_;
-                            phi_443_ = _e287;
+                            let _e351 = phi_560_;
+                            phi_561_ = _e351;
                         } else {
-                            phi_443_ = 0i;
+                            phi_561_ = 0i;
                         }
-                        let _e289 = phi_443_;
-                        let _e290 = (_e209 == _e253);
-                        if _e290 {
-                            phi_453_ = true;
-                        } else {
-                            phi_453_ = (_e217 == _e253);
-                        }
-                        let _e293 = phi_453_;
-                        let _e294 = select(1u, 0u, _e290);
-                        if _e293 {
-                            let _e295 = (_e294 + 1u);
-                            phi_463_ = _e295;
-                            phi_464_ = _e295;
-                            phi_466_ = select(true, false, (_e295 == 2u));
-                        } else {
-                            phi_463_ = u32();
-                            phi_464_ = 0u;
-                            phi_466_ = true;
-                        }
-                        let _e299 = phi_463_;
-                        let _e301 = phi_464_;
-                        let _e303 = phi_466_;
-                        if _e303 {
-                            phi_471_ = (_e301 + 1u);
-                        } else {
-                            phi_471_ = 0u;
-                        }
-                        let _e307 = phi_471_;
-                        let _e308 = select(_e299, _e301, _e303);
-                        let _e309 = select(_e294, select(2u, _e294, _e293), _e303);
-                        let _e310 = -(_e289);
-                        if (_e310 < -126i) {
-                            phi_503_ = -126i;
-                        } else {
-                            phi_503_ = select(_e310, 127i, (_e310 > 127i));
-                        }
-                        let _e315 = phi_503_;
-                        let _e320 = bitcast<f32>((bitcast<u32>((_e315 + 127i)) << bitcast<u32>(23i)));
-                        let _e326 = bitcast<f32>((bitcast<u32>(((_e310 - _e315) + 127i)) << bitcast<u32>(23i)));
-                        let _e331 = global_8.member[_e96].member.member;
-                        let _e332 = (_e308 == 0u);
-                        if _e332 {
-                            phi_521_ = _e331[0];
-                        } else {
-                            phi_521_ = _e331[1];
-                        }
-                        let _e336 = phi_521_;
-                        let _e337 = (_e308 == 2u);
-                        if _e337 {
-                            phi_527_ = _e331[2];
-                        } else {
-                            phi_527_ = _e336;
-                        }
-                        let _e340 = phi_527_;
-                        let _e341 = global_8.member[_e96].member.member_2;
-                        if _e332 {
-                            phi_538_ = _e341[0];
-                        } else {
-                            phi_538_ = _e341[1];
-                        }
-                        let _e345 = phi_538_;
-                        if _e337 {
-                            phi_544_ = _e341[2];
-                        } else {
-                            phi_544_ = _e345;
-                        }
-                        let _e348 = phi_544_;
-                        let _e350 = ((_e348 * _e320) * _e326);
-                        let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
+                        let _e353 = phi_561_;
+                        let _e354 = (_e273 == _e317);
                         if _e354 {
-                            let _e358 = (bitcast<f32>((bitcast<u32>(_e340) & 2147483647u)) * 0.00000011920929f);
-                            phi_567_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
+                            phi_571_ = true;
                         } else {
-                            phi_567_ = 0f;
+                            phi_571_ = (_e281 == _e317);
                         }
-                        let _e362 = phi_567_;
-                        let _e363 = (_e340 + _e362);
-                        let _e364 = (_e340 - _e362);
-                        let _e365 = select(_e350, 0f, _e354);
-                        if _e354 {
-                            phi_578_ = 38685626000000000000000000f;
+                        let _e357 = phi_571_;
+                        let _e358 = select(1u, 0u, _e354);
+                        if _e357 {
+                            let _e359 = (_e358 + 1u);
+                            phi_581_ = _e359;
+                            phi_582_ = _e359;
+                            phi_584_ = select(true, false, (_e359 == 2u));
                         } else {
-                            phi_578_ = (1f / _e350);
+                            phi_581_ = u32();
+                            phi_582_ = 0u;
+                            phi_584_ = true;
                         }
-                        let _e368 = phi_578_;
-                        let _e369 = (_e307 == 0u);
-                        if _e369 {
-                            phi_587_ = _e331[0];
+                        let _e363 = phi_581_;
+                        let _e365 = phi_582_;
+                        let _e367 = phi_584_;
+                        if _e367 {
+                            phi_589_ = (_e365 + 1u);
                         } else {
-                            phi_587_ = _e331[1];
+                            phi_589_ = 0u;
                         }
-                        let _e373 = phi_587_;
-                        let _e374 = (_e307 == 2u);
-                        if _e374 {
-                            phi_593_ = _e331[2];
+                        let _e371 = phi_589_;
+                        let _e372 = select(_e363, _e365, _e367);
+                        let _e373 = select(_e358, select(2u, _e358, _e357), _e367);
+                        let _e374 = -(_e353);
+                        if (_e374 < -126i) {
+                            phi_621_ = -126i;
                         } else {
-                            phi_593_ = _e373;
+                            phi_621_ = select(_e374, 127i, (_e374 > 127i));
                         }
-                        let _e377 = phi_593_;
-                        if _e369 {
-                            phi_604_ = _e341[0];
+                        let _e379 = phi_621_;
+                        let _e384 = bitcast<f32>((bitcast<u32>((_e379 + 127i)) << bitcast<u32>(23i)));
+                        let _e390 = bitcast<f32>((bitcast<u32>(((_e374 - _e379) + 127i)) << bitcast<u32>(23i)));
+                        let _e395 = global_8.member[_e100].member.member;
+                        let _e396 = (_e372 == 0u);
+                        if _e396 {
+                            phi_639_ = _e395[0];
                         } else {
-                            phi_604_ = _e341[1];
+                            phi_639_ = _e395[1];
                         }
-                        let _e381 = phi_604_;
-                        if _e374 {
-                            phi_610_ = _e341[2];
+                        let _e400 = phi_639_;
+                        let _e401 = (_e372 == 2u);
+                        if _e401 {
+                            phi_645_ = _e395[2];
                         } else {
-                            phi_610_ = _e381;
+                            phi_645_ = _e400;
                         }
-                        let _e384 = phi_610_;
-                        let _e386 = ((_e384 * _e320) * _e326);
-                        let _e390 = (bitcast<f32>((bitcast<u32>(_e386) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e390 {
-                            let _e394 = (bitcast<f32>((bitcast<u32>(_e377) & 2147483647u)) * 0.00000011920929f);
-                            phi_633_ = select(0.00000000000011368684f, _e394, (_e394 > 0.00000000000011368684f));
+                        let _e404 = phi_645_;
+                        let _e405 = bitcast<u32>(_e404);
+                        let _e407 = ((_e405 & 2139095040u) != 0u);
+                        let _e419 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e405 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e405 & 2147483648u))), _e404, _e407) * select(0.00000011920929f, 1f, _e407));
+                        let _e420 = global_8.member[_e100].member.member_2;
+                        if _e396 {
+                            phi_685_ = _e420[0];
                         } else {
-                            phi_633_ = 0f;
+                            phi_685_ = _e420[1];
                         }
-                        let _e398 = phi_633_;
-                        let _e399 = (_e377 + _e398);
-                        let _e400 = (_e377 - _e398);
-                        let _e401 = select(_e386, 0f, _e390);
-                        if _e390 {
-                            phi_644_ = 38685626000000000000000000f;
+                        let _e424 = phi_685_;
+                        if _e401 {
+                            phi_691_ = _e420[2];
                         } else {
-                            phi_644_ = (1f / _e386);
+                            phi_691_ = _e424;
                         }
-                        let _e404 = phi_644_;
-                        let _e405 = (_e309 == 0u);
-                        if _e405 {
-                            phi_653_ = _e331[0];
+                        let _e427 = phi_691_;
+                        let _e428 = bitcast<u32>(_e427);
+                        let _e430 = ((_e428 & 2139095040u) != 0u);
+                        let _e444 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e428 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e428 & 2147483648u))), _e427, _e430) * _e384) * select(0.00000011920929f, 1f, _e430)) * _e390);
+                        let _e448 = (bitcast<f32>((bitcast<u32>(_e444) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e448 {
+                            let _e452 = (bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) * 0.00000011920929f);
+                            phi_743_ = select(0.00000000000011368684f, _e452, (_e452 > 0.00000000000011368684f));
                         } else {
-                            phi_653_ = _e331[1];
+                            phi_743_ = 0f;
                         }
-                        let _e409 = phi_653_;
-                        let _e410 = (_e309 == 2u);
-                        if _e410 {
-                            phi_659_ = _e331[2];
+                        let _e456 = phi_743_;
+                        let _e457 = (_e419 + _e456);
+                        let _e458 = (_e419 - _e456);
+                        let _e459 = select(_e444, 0f, _e448);
+                        if _e448 {
+                            phi_754_ = 38685626000000000000000000f;
                         } else {
-                            phi_659_ = _e409;
+                            phi_754_ = (1f / _e444);
                         }
-                        let _e413 = phi_659_;
-                        if _e405 {
-                            phi_670_ = _e341[0];
+                        let _e462 = phi_754_;
+                        let _e463 = (_e371 == 0u);
+                        if _e463 {
+                            phi_763_ = _e395[0];
                         } else {
-                            phi_670_ = _e341[1];
+                            phi_763_ = _e395[1];
                         }
-                        let _e417 = phi_670_;
-                        if _e410 {
-                            phi_676_ = _e341[2];
+                        let _e467 = phi_763_;
+                        let _e468 = (_e371 == 2u);
+                        if _e468 {
+                            phi_769_ = _e395[2];
                         } else {
-                            phi_676_ = _e417;
+                            phi_769_ = _e467;
                         }
-                        let _e420 = phi_676_;
-                        let _e422 = ((_e420 * _e320) * _e326);
-                        let _e426 = (bitcast<f32>((bitcast<u32>(_e422) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e426 {
-                            let _e430 = (bitcast<f32>((bitcast<u32>(_e413) & 2147483647u)) * 0.00000011920929f);
-                            phi_699_ = select(0.00000000000011368684f, _e430, (_e430 > 0.00000000000011368684f));
+                        let _e471 = phi_769_;
+                        let _e472 = bitcast<u32>(_e471);
+                        let _e474 = ((_e472 & 2139095040u) != 0u);
+                        let _e486 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e472 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e472 & 2147483648u))), _e471, _e474) * select(0.00000011920929f, 1f, _e474));
+                        if _e463 {
+                            phi_809_ = _e420[0];
                         } else {
-                            phi_699_ = 0f;
+                            phi_809_ = _e420[1];
                         }
-                        let _e434 = phi_699_;
-                        let _e435 = (_e413 + _e434);
-                        let _e436 = (_e413 - _e434);
-                        let _e437 = select(_e422, 0f, _e426);
-                        if _e426 {
-                            phi_710_ = 38685626000000000000000000f;
+                        let _e490 = phi_809_;
+                        if _e468 {
+                            phi_815_ = _e420[2];
                         } else {
-                            phi_710_ = (1f / _e422);
+                            phi_815_ = _e490;
                         }
-                        let _e440 = phi_710_;
-                        let _e443 = bitcast<f32>((bitcast<u32>(_e340) & 2147483647u));
-                        let _e446 = bitcast<f32>((bitcast<u32>(_e377) & 2147483647u));
-                        let _e448 = select(_e446, _e443, (_e443 > _e446));
-                        let _e451 = bitcast<f32>((bitcast<u32>(_e413) & 2147483647u));
-                        if (_e270 && (select(_e451, _e448, (_e448 > _e451)) <= 1099511600000f)) {
-                            let _e456 = (_e289 / 3i);
-                            let _e463 = bitcast<f32>((bitcast<u32>((_e456 + 127i)) << bitcast<u32>(23i)));
-                            let _e470 = bitcast<f32>((bitcast<u32>(((_e289 - (2i * _e456)) + 127i)) << bitcast<u32>(23i)));
-                            let _e471 = (((_e181 * _e463) * _e463) * _e470);
-                            let _e473 = select(340282350000000000000000000000000000000f, _e471, (_e471 < 340282350000000000000000000000000000000f));
-                            let _e478 = (((_e186 * _e463) * _e463) * _e470);
-                            let _e480 = select(340282350000000000000000000000000000000f, _e478, (_e478 < 340282350000000000000000000000000000000f));
-                            phi_810_ = select(-340282350000000000000000000000000000000f, _e480, (_e480 > -340282350000000000000000000000000000000f));
-                            phi_811_ = select(-340282350000000000000000000000000000000f, _e473, (_e473 > -340282350000000000000000000000000000000f));
+                        let _e493 = phi_815_;
+                        let _e494 = bitcast<u32>(_e493);
+                        let _e496 = ((_e494 & 2139095040u) != 0u);
+                        let _e510 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e494 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e494 & 2147483648u))), _e493, _e496) * _e384) * select(0.00000011920929f, 1f, _e496)) * _e390);
+                        let _e514 = (bitcast<f32>((bitcast<u32>(_e510) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e514 {
+                            let _e518 = (bitcast<f32>((bitcast<u32>(_e486) & 2147483647u)) * 0.00000011920929f);
+                            phi_867_ = select(0.00000000000011368684f, _e518, (_e518 > 0.00000000000011368684f));
                         } else {
-                            phi_810_ = 0f;
-                            phi_811_ = 1f;
+                            phi_867_ = 0f;
                         }
-                        let _e484 = phi_810_;
-                        let _e486 = phi_811_;
+                        let _e522 = phi_867_;
+                        let _e523 = (_e486 + _e522);
+                        let _e524 = (_e486 - _e522);
+                        let _e525 = select(_e510, 0f, _e514);
+                        if _e514 {
+                            phi_878_ = 38685626000000000000000000f;
+                        } else {
+                            phi_878_ = (1f / _e510);
+                        }
+                        let _e528 = phi_878_;
+                        let _e529 = (_e373 == 0u);
+                        if _e529 {
+                            phi_887_ = _e395[0];
+                        } else {
+                            phi_887_ = _e395[1];
+                        }
+                        let _e533 = phi_887_;
+                        let _e534 = (_e373 == 2u);
+                        if _e534 {
+                            phi_893_ = _e395[2];
+                        } else {
+                            phi_893_ = _e533;
+                        }
+                        let _e537 = phi_893_;
+                        let _e538 = bitcast<u32>(_e537);
+                        let _e540 = ((_e538 & 2139095040u) != 0u);
+                        let _e552 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e538 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e538 & 2147483648u))), _e537, _e540) * select(0.00000011920929f, 1f, _e540));
+                        if _e529 {
+                            phi_933_ = _e420[0];
+                        } else {
+                            phi_933_ = _e420[1];
+                        }
+                        let _e556 = phi_933_;
+                        if _e534 {
+                            phi_939_ = _e420[2];
+                        } else {
+                            phi_939_ = _e556;
+                        }
+                        let _e559 = phi_939_;
+                        let _e560 = bitcast<u32>(_e559);
+                        let _e562 = ((_e560 & 2139095040u) != 0u);
+                        let _e576 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e560 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e560 & 2147483648u))), _e559, _e562) * _e384) * select(0.00000011920929f, 1f, _e562)) * _e390);
+                        let _e580 = (bitcast<f32>((bitcast<u32>(_e576) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e580 {
+                            let _e584 = (bitcast<f32>((bitcast<u32>(_e552) & 2147483647u)) * 0.00000011920929f);
+                            phi_991_ = select(0.00000000000011368684f, _e584, (_e584 > 0.00000000000011368684f));
+                        } else {
+                            phi_991_ = 0f;
+                        }
+                        let _e588 = phi_991_;
+                        let _e589 = (_e552 + _e588);
+                        let _e590 = (_e552 - _e588);
+                        let _e591 = select(_e576, 0f, _e580);
+                        if _e580 {
+                            phi_1002_ = 38685626000000000000000000f;
+                        } else {
+                            phi_1002_ = (1f / _e576);
+                        }
+                        let _e594 = phi_1002_;
+                        let _e597 = bitcast<f32>((bitcast<u32>(_e419) & 2147483647u));
+                        let _e600 = bitcast<f32>((bitcast<u32>(_e486) & 2147483647u));
+                        let _e602 = select(_e600, _e597, (_e597 > _e600));
+                        let _e605 = bitcast<f32>((bitcast<u32>(_e552) & 2147483647u));
+                        if (_e334 && (select(_e605, _e602, (_e602 > _e605)) <= 1099511600000f)) {
+                            let _e617 = ((_e325 & 8388607u) | (select(0u, 1u, ((_e325 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e620 = bitcast<i32>((_e325 >> bitcast<u32>(23i)));
+                            let _e624 = (_e617 == 0u);
+                            let _e627 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e617)), 32u, _e624)) - 8i);
+                            if (_e620 == 255i) {
+                                phi_1057_ = 255i;
+                            } else {
+                                phi_1057_ = (((_e620 + select(0i, 1i, (_e620 == 0i))) - _e627) + _e353);
+                            }
+                            let _e635 = phi_1057_;
+                            let _e645 = (_e635 <= 0i);
+                            if _e645 {
+                                phi_1080_ = u32();
+                            } else {
+                                if _e624 {
+                                    phi_1079_ = u32();
+                                } else {
+                                    phi_1079_ = select(((bitcast<u32>(_e635) << bitcast<u32>(23i)) | ((_e617 << bitcast<u32>(((_e627 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e635 >= 255i));
+                                }
+                                let _e649 = phi_1079_;
+                                phi_1080_ = _e649;
+                            }
+                            let _e651 = phi_1080_;
+                            let _e663 = ((_e330 & 8388607u) | (select(0u, 1u, ((_e330 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e666 = bitcast<i32>((_e330 >> bitcast<u32>(23i)));
+                            let _e670 = (_e663 == 0u);
+                            let _e673 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e663)), 32u, _e670)) - 8i);
+                            if (_e666 == 255i) {
+                                phi_1117_ = 255i;
+                            } else {
+                                phi_1117_ = (((_e666 + select(0i, 1i, (_e666 == 0i))) - _e673) + _e353);
+                            }
+                            let _e681 = phi_1117_;
+                            let _e691 = (_e681 <= 0i);
+                            if _e691 {
+                                phi_1140_ = u32();
+                            } else {
+                                if _e670 {
+                                    phi_1139_ = u32();
+                                } else {
+                                    phi_1139_ = select(((bitcast<u32>(_e681) << bitcast<u32>(23i)) | ((_e663 << bitcast<u32>(((_e673 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e681 >= 255i));
+                                }
+                                let _e695 = phi_1139_;
+                                phi_1140_ = _e695;
+                            }
+                            let _e697 = phi_1140_;
+                            phi_1148_ = bitcast<f32>(((_e329 & 2147483648u) | select(_e697, 0u, select(_e670, true, _e691))));
+                            phi_1149_ = bitcast<f32>(((_e324 & 2147483648u) | select(_e651, 0u, select(_e624, true, _e645))));
+                        } else {
+                            phi_1148_ = 0f;
+                            phi_1149_ = 1f;
+                        }
+                        let _e703 = phi_1148_;
+                        let _e705 = phi_1149_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2745_ = false;
-                        phi_822_ = type_55(_e484, false);
-                        phi_825_ = select(0u, 2147483648u, (_e78 == 0u));
-                        phi_827_ = ((3u * _e78) + 1u);
-                        phi_829_ = (_e486 <= _e484);
-                        phi_831_ = 0u;
+                        phi_3083_ = false;
+                        phi_1160_ = type_55(_e703, false);
+                        phi_1163_ = select(0u, 2147483648u, (_e82 == 0u));
+                        phi_1165_ = ((3u * _e82) + 1u);
+                        phi_1167_ = (_e705 <= _e703);
+                        phi_1169_ = 0u;
                         loop {
-                            let _e494 = phi_2745_;
-                            let _e496 = phi_822_;
-                            let _e498 = phi_825_;
-                            let _e500 = phi_827_;
-                            let _e502 = phi_829_;
-                            let _e504 = phi_831_;
-                            local_3 = _e496;
-                            if _e502 {
-                                phi_842_ = true;
+                            let _e713 = phi_3083_;
+                            let _e715 = phi_1160_;
+                            let _e717 = phi_1163_;
+                            let _e719 = phi_1165_;
+                            let _e721 = phi_1167_;
+                            let _e723 = phi_1169_;
+                            local_3 = _e715;
+                            if _e721 {
+                                phi_1180_ = true;
                             } else {
-                                phi_842_ = (_e504 > 0u);
+                                phi_1180_ = (_e723 > 0u);
                             }
-                            let _e507 = phi_842_;
-                            if _e507 {
-                                let _e508 = (_e500 > 0u);
-                                if _e508 {
-                                    if _e502 {
-                                        phi_874_ = _e498;
-                                        phi_875_ = _e502;
-                                        phi_876_ = _e504;
+                            let _e726 = phi_1180_;
+                            if _e726 {
+                                let _e727 = (_e719 > 0u);
+                                if _e727 {
+                                    if _e721 {
+                                        phi_1212_ = _e717;
+                                        phi_1213_ = _e721;
+                                        phi_1214_ = _e723;
                                     } else {
-                                        let _e509 = (_e504 - 1u);
-                                        let _e510 = (_e509 % 128u);
-                                        let _e511 = (_e510 < 128u);
-                                        if _e511 {
+                                        let _e728 = (_e723 - 1u);
+                                        let _e729 = (_e728 % 128u);
+                                        let _e730 = (_e729 < 128u);
+                                        if _e730 {
                                         } else {
-                                            phi_2905_ = true;
+                                            phi_3269_ = true;
                                             break;
                                         }
-                                        let _e513 = local_1[_e510];
-                                        if _e511 {
+                                        let _e732 = local_1[_e729];
+                                        if _e730 {
                                         } else {
-                                            phi_2905_ = true;
+                                            phi_3269_ = true;
                                             break;
                                         }
-                                        let _e515 = local[_e510];
-                                        phi_874_ = _e513;
-                                        phi_875_ = (_e515 <= _e496.member);
-                                        phi_876_ = _e509;
+                                        let _e734 = local[_e729];
+                                        phi_1212_ = _e732;
+                                        phi_1213_ = (_e734 <= _e715.member);
+                                        phi_1214_ = _e728;
                                     }
-                                    let _e519 = phi_874_;
-                                    let _e521 = phi_875_;
-                                    let _e523 = phi_876_;
-                                    if _e521 {
-                                        if ((_e519 & 2147483648u) != 0u) {
-                                            phi_891_ = _e496;
-                                            phi_894_ = type_8(0u, ((_e519 >> bitcast<u32>(28u)) & 7u));
+                                    let _e738 = phi_1212_;
+                                    let _e740 = phi_1213_;
+                                    let _e742 = phi_1214_;
+                                    if _e740 {
+                                        if ((_e738 & 2147483648u) != 0u) {
+                                            phi_1229_ = _e715;
+                                            phi_1232_ = type_8(0u, ((_e738 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e721 = phi_891_;
-                                                let _e723 = phi_894_;
-                                                local_2 = _e721;
-                                                local_4 = _e721;
-                                                if (_e723.member < _e723.member_1) {
-                                                    phi_895_ = type_8((_e723.member + 1u), _e723.member_1);
-                                                    phi_917_ = type_8(1u, _e723.member);
+                                                let _e940 = phi_1229_;
+                                                let _e942 = phi_1232_;
+                                                local_2 = _e940;
+                                                local_4 = _e940;
+                                                if (_e942.member < _e942.member_1) {
+                                                    phi_1233_ = type_8((_e942.member + 1u), _e942.member_1);
+                                                    phi_1255_ = type_8(1u, _e942.member);
                                                 } else {
-                                                    phi_895_ = _e723;
-                                                    phi_917_ = type_8(0u, type_8().member_1);
+                                                    phi_1233_ = _e942;
+                                                    phi_1255_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e736 = phi_895_;
-                                                let _e738 = phi_917_;
-                                                let _e742 = (bitcast<i32>(_e738.member) != 0i);
-                                                if _e742 {
-                                                    let _e743 = ((_e519 & 268435455u) + _e738.member_1);
-                                                    let _e744 = (_e743 < _e80);
-                                                    if _e744 {
-                                                        if _e744 {
+                                                let _e955 = phi_1233_;
+                                                let _e957 = phi_1255_;
+                                                let _e961 = (bitcast<i32>(_e957.member) != 0i);
+                                                if _e961 {
+                                                    let _e962 = ((_e738 & 268435455u) + _e957.member_1);
+                                                    let _e963 = (_e962 < _e84);
+                                                    if _e963 {
+                                                        if _e963 {
                                                         } else {
-                                                            phi_2739_ = true;
+                                                            phi_3077_ = true;
                                                             break;
                                                         }
-                                                        let _e748 = global_2.member[_e743].member_1;
-                                                        phi_938_ = _e748;
+                                                        let _e967 = global_2.member[_e962].member_1;
+                                                        phi_1276_ = _e967;
                                                     } else {
-                                                        phi_938_ = 4294967295u;
+                                                        phi_1276_ = 4294967295u;
                                                     }
-                                                    let _e750 = phi_938_;
-                                                    if (_e743 >= _e80) {
-                                                        phi_1027_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e969 = phi_1276_;
+                                                    if (_e962 >= _e84) {
+                                                        phi_1365_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e744 {
+                                                        if _e963 {
                                                         } else {
-                                                            phi_2739_ = true;
+                                                            phi_3077_ = true;
                                                             break;
                                                         }
-                                                        let _e752 = (_e308 % 3u);
-                                                        let _e753 = (_e307 % 3u);
-                                                        let _e754 = (_e309 % 3u);
-                                                        if (_e752 < 9u) {
+                                                        let _e971 = (_e372 % 3u);
+                                                        let _e972 = (_e371 % 3u);
+                                                        let _e973 = (_e373 % 3u);
+                                                        if (_e971 < 9u) {
                                                         } else {
-                                                            phi_2739_ = true;
+                                                            phi_3077_ = true;
                                                             break;
                                                         }
-                                                        let _e760 = global_2.member[_e743].member[_e752];
-                                                        if (_e753 < 9u) {
+                                                        let _e979 = global_2.member[_e962].member[_e971];
+                                                        if (_e972 < 9u) {
                                                         } else {
-                                                            phi_2739_ = true;
+                                                            phi_3077_ = true;
                                                             break;
                                                         }
-                                                        let _e766 = global_2.member[_e743].member[_e753];
-                                                        if (_e754 < 9u) {
+                                                        let _e985 = global_2.member[_e962].member[_e972];
+                                                        if (_e973 < 9u) {
                                                         } else {
-                                                            phi_2739_ = true;
+                                                            phi_3077_ = true;
                                                             break;
                                                         }
-                                                        let _e772 = global_2.member[_e743].member[_e754];
-                                                        let _e774 = (3u + _e752);
-                                                        if (_e774 < 9u) {
+                                                        let _e991 = global_2.member[_e962].member[_e973];
+                                                        let _e993 = (3u + _e971);
+                                                        if (_e993 < 9u) {
                                                         } else {
-                                                            phi_2739_ = true;
+                                                            phi_3077_ = true;
                                                             break;
                                                         }
-                                                        let _e780 = global_2.member[_e743].member[_e774];
-                                                        let _e781 = (3u + _e753);
-                                                        if (_e781 < 9u) {
+                                                        let _e999 = global_2.member[_e962].member[_e993];
+                                                        let _e1000 = (3u + _e972);
+                                                        if (_e1000 < 9u) {
                                                         } else {
-                                                            phi_2739_ = true;
+                                                            phi_3077_ = true;
                                                             break;
                                                         }
-                                                        let _e787 = global_2.member[_e743].member[_e781];
-                                                        let _e788 = (3u + _e754);
-                                                        if (_e788 < 9u) {
+                                                        let _e1006 = global_2.member[_e962].member[_e1000];
+                                                        let _e1007 = (3u + _e973);
+                                                        if (_e1007 < 9u) {
                                                         } else {
-                                                            phi_2739_ = true;
+                                                            phi_3077_ = true;
                                                             break;
                                                         }
-                                                        let _e794 = global_2.member[_e743].member[_e788];
-                                                        let _e796 = (6u + _e752);
-                                                        if (_e796 < 9u) {
+                                                        let _e1013 = global_2.member[_e962].member[_e1007];
+                                                        let _e1015 = (6u + _e971);
+                                                        if (_e1015 < 9u) {
                                                         } else {
-                                                            phi_2739_ = true;
+                                                            phi_3077_ = true;
                                                             break;
                                                         }
-                                                        let _e802 = global_2.member[_e743].member[_e796];
-                                                        let _e803 = (6u + _e753);
-                                                        if (_e803 < 9u) {
+                                                        let _e1021 = global_2.member[_e962].member[_e1015];
+                                                        let _e1022 = (6u + _e972);
+                                                        if (_e1022 < 9u) {
                                                         } else {
-                                                            phi_2739_ = true;
+                                                            phi_3077_ = true;
                                                             break;
                                                         }
-                                                        let _e809 = global_2.member[_e743].member[_e803];
-                                                        let _e810 = (6u + _e754);
-                                                        if (_e810 < 9u) {
+                                                        let _e1028 = global_2.member[_e962].member[_e1022];
+                                                        let _e1029 = (6u + _e973);
+                                                        if (_e1029 < 9u) {
                                                         } else {
-                                                            phi_2739_ = true;
+                                                            phi_3077_ = true;
                                                             break;
                                                         }
-                                                        let _e816 = global_2.member[_e743].member[_e810];
-                                                        phi_1027_ = array<array<f32, 3>, 3>(array<f32, 3>(_e760, _e766, _e772), array<f32, 3>(_e780, _e787, _e794), array<f32, 3>(_e802, _e809, _e816));
+                                                        let _e1035 = global_2.member[_e962].member[_e1029];
+                                                        phi_1365_ = array<array<f32, 3>, 3>(array<f32, 3>(_e979, _e985, _e991), array<f32, 3>(_e999, _e1006, _e1013), array<f32, 3>(_e1021, _e1028, _e1035));
                                                     }
-                                                    let _e820 = phi_1027_;
-                                                    let _e828 = (_e820[0][2] - _e413);
-                                                    let _e831 = (((_e820[0][0] - _e340) * _e437) - (_e828 * _e365));
-                                                    let _e834 = (((_e820[0][1] - _e377) * _e437) - (_e828 * _e401));
-                                                    let _e841 = (_e820[1][2] - _e413);
-                                                    let _e844 = (((_e820[1][0] - _e340) * _e437) - (_e841 * _e365));
-                                                    let _e847 = (((_e820[1][1] - _e377) * _e437) - (_e841 * _e401));
-                                                    let _e854 = (_e820[2][2] - _e413);
-                                                    let _e857 = (((_e820[2][0] - _e340) * _e437) - (_e854 * _e365));
-                                                    let _e860 = (((_e820[2][1] - _e377) * _e437) - (_e854 * _e401));
-                                                    let _e861 = (_e857 * _e847);
-                                                    let _e862 = (_e860 * _e844);
-                                                    let _e863 = (_e831 * _e860);
-                                                    let _e864 = (_e834 * _e857);
-                                                    let _e865 = (_e844 * _e834);
-                                                    let _e866 = (_e847 * _e831);
-                                                    let _e871 = (((_e861 >= _e862) && (_e863 >= _e864)) && (_e865 >= _e866));
-                                                    if (_e871 || (((_e861 <= _e862) && (_e863 <= _e864)) && (_e865 <= _e866))) {
-                                                        let _e878 = select(-1f, 1f, _e871);
-                                                        let _e880 = ((_e861 - _e862) * _e878);
-                                                        let _e882 = select(0f, _e880, (_e880 > 0f));
-                                                        let _e884 = ((_e863 - _e864) * _e878);
-                                                        let _e886 = select(0f, _e884, (_e884 > 0f));
-                                                        let _e888 = ((_e865 - _e866) * _e878);
-                                                        let _e890 = select(0f, _e888, (_e888 > 0f));
-                                                        let _e892 = ((_e882 + _e886) + _e890);
-                                                        if (_e892 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1852_ = type_28();
-                                                            phi_1853_ = true;
-                                                            phi_1854_ = false;
+                                                    let _e1039 = phi_1365_;
+                                                    let _e1047 = (_e1039[0][2] - _e552);
+                                                    let _e1050 = (((_e1039[0][0] - _e419) * _e591) - (_e1047 * _e459));
+                                                    let _e1053 = (((_e1039[0][1] - _e486) * _e591) - (_e1047 * _e525));
+                                                    let _e1060 = (_e1039[1][2] - _e552);
+                                                    let _e1063 = (((_e1039[1][0] - _e419) * _e591) - (_e1060 * _e459));
+                                                    let _e1066 = (((_e1039[1][1] - _e486) * _e591) - (_e1060 * _e525));
+                                                    let _e1073 = (_e1039[2][2] - _e552);
+                                                    let _e1076 = (((_e1039[2][0] - _e419) * _e591) - (_e1073 * _e459));
+                                                    let _e1079 = (((_e1039[2][1] - _e486) * _e591) - (_e1073 * _e525));
+                                                    let _e1080 = (_e1076 * _e1066);
+                                                    let _e1081 = (_e1079 * _e1063);
+                                                    let _e1082 = (_e1050 * _e1079);
+                                                    let _e1083 = (_e1053 * _e1076);
+                                                    let _e1084 = (_e1063 * _e1053);
+                                                    let _e1085 = (_e1066 * _e1050);
+                                                    let _e1090 = (((_e1080 >= _e1081) && (_e1082 >= _e1083)) && (_e1084 >= _e1085));
+                                                    if (_e1090 || (((_e1080 <= _e1081) && (_e1082 <= _e1083)) && (_e1084 <= _e1085))) {
+                                                        let _e1097 = select(-1f, 1f, _e1090);
+                                                        let _e1099 = ((_e1080 - _e1081) * _e1097);
+                                                        let _e1101 = select(0f, _e1099, (_e1099 > 0f));
+                                                        let _e1103 = ((_e1082 - _e1083) * _e1097);
+                                                        let _e1105 = select(0f, _e1103, (_e1103 > 0f));
+                                                        let _e1107 = ((_e1084 - _e1085) * _e1097);
+                                                        let _e1109 = select(0f, _e1107, (_e1107 > 0f));
+                                                        let _e1111 = ((_e1101 + _e1105) + _e1109);
+                                                        if (_e1111 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2190_ = type_28();
+                                                            phi_2191_ = true;
+                                                            phi_2192_ = false;
                                                         } else {
-                                                            let _e895 = select(_e844, _e831, (_e831 < _e844));
-                                                            if (select(_e857, _e895, (_e895 < _e857)) > 0f) {
-                                                                phi_1144_ = true;
+                                                            let _e1114 = select(_e1063, _e1050, (_e1050 < _e1063));
+                                                            if (select(_e1076, _e1114, (_e1114 < _e1076)) > 0f) {
+                                                                phi_1482_ = true;
                                                             } else {
-                                                                let _e900 = select(_e844, _e831, (_e831 > _e844));
-                                                                phi_1144_ = (select(_e857, _e900, (_e900 > _e857)) < 0f);
+                                                                let _e1119 = select(_e1063, _e1050, (_e1050 > _e1063));
+                                                                phi_1482_ = (select(_e1076, _e1119, (_e1119 > _e1076)) < 0f);
                                                             }
-                                                            let _e905 = phi_1144_;
-                                                            if _e905 {
-                                                                phi_1849_ = type_28();
-                                                                phi_1850_ = true;
-                                                                phi_1851_ = false;
+                                                            let _e1124 = phi_1482_;
+                                                            if _e1124 {
+                                                                phi_2187_ = type_28();
+                                                                phi_2188_ = true;
+                                                                phi_2189_ = false;
                                                             } else {
-                                                                let _e907 = select(_e847, _e834, (_e834 < _e847));
-                                                                if (select(_e860, _e907, (_e907 < _e860)) > 0f) {
-                                                                    phi_1173_ = true;
+                                                                let _e1126 = select(_e1066, _e1053, (_e1053 < _e1066));
+                                                                if (select(_e1079, _e1126, (_e1126 < _e1079)) > 0f) {
+                                                                    phi_1511_ = true;
                                                                 } else {
-                                                                    let _e912 = select(_e847, _e834, (_e834 > _e847));
-                                                                    phi_1173_ = (select(_e860, _e912, (_e912 > _e860)) < 0f);
+                                                                    let _e1131 = select(_e1066, _e1053, (_e1053 > _e1066));
+                                                                    phi_1511_ = (select(_e1079, _e1131, (_e1131 > _e1079)) < 0f);
                                                                 }
-                                                                let _e917 = phi_1173_;
-                                                                if _e917 {
-                                                                    phi_1847_ = type_28();
-                                                                    phi_1848_ = false;
+                                                                let _e1136 = phi_1511_;
+                                                                if _e1136 {
+                                                                    phi_2185_ = type_28();
+                                                                    phi_2186_ = false;
                                                                 } else {
-                                                                    let _e919 = select(_e820[1][0], _e820[0][0], (_e820[0][0] < _e820[1][0]));
-                                                                    let _e923 = select(_e820[1][0], _e820[0][0], (_e820[0][0] > _e820[1][0]));
-                                                                    let _e927 = select(_e820[1][1], _e820[0][1], (_e820[0][1] < _e820[1][1]));
-                                                                    let _e931 = select(_e820[1][1], _e820[0][1], (_e820[0][1] > _e820[1][1]));
-                                                                    let _e935 = select(_e820[1][2], _e820[0][2], (_e820[0][2] < _e820[1][2]));
-                                                                    let _e939 = select(_e820[1][2], _e820[0][2], (_e820[0][2] > _e820[1][2]));
-                                                                    let _e944 = ((select(_e820[2][0], _e919, (_e919 < _e820[2][0])) - _e363) * _e368);
-                                                                    let _e945 = ((select(_e820[2][0], _e923, (_e923 > _e820[2][0])) - _e364) * _e368);
-                                                                    let _e948 = ((select(_e820[2][1], _e927, (_e927 < _e820[2][1])) - _e399) * _e404);
-                                                                    let _e949 = ((select(_e820[2][1], _e931, (_e931 > _e820[2][1])) - _e400) * _e404);
-                                                                    let _e952 = ((select(_e820[2][2], _e935, (_e935 < _e820[2][2])) - _e435) * _e440);
-                                                                    let _e953 = ((select(_e820[2][2], _e939, (_e939 > _e820[2][2])) - _e436) * _e440);
-                                                                    let _e955 = select(_e953, _e952, (_e952 < _e953));
-                                                                    let _e957 = select(_e953, _e952, (_e952 > _e953));
-                                                                    let _e959 = select(_e945, _e944, (_e944 < _e945));
-                                                                    let _e961 = select(_e949, _e948, (_e948 < _e949));
-                                                                    let _e963 = select(_e961, _e959, (_e959 > _e961));
-                                                                    let _e965 = select(_e955, _e963, (_e963 > _e955));
-                                                                    let _e967 = select(_e945, _e944, (_e944 > _e945));
-                                                                    let _e969 = select(_e949, _e948, (_e948 > _e949));
-                                                                    let _e971 = select(_e969, _e967, (_e967 < _e969));
-                                                                    let _e973 = select(_e957, _e971, (_e971 < _e957));
-                                                                    let _e974 = -(_e955);
-                                                                    let _e980 = select(_e486, _e965, (_e965 > _e486));
-                                                                    if (_e980 > (_e973 + (select(_e974, _e957, (_e957 > _e974)) * 0.0000019073523f))) {
-                                                                        phi_1842_ = type_28();
-                                                                        phi_1843_ = true;
+                                                                    let _e1138 = select(_e1039[1][0], _e1039[0][0], (_e1039[0][0] < _e1039[1][0]));
+                                                                    let _e1142 = select(_e1039[1][0], _e1039[0][0], (_e1039[0][0] > _e1039[1][0]));
+                                                                    let _e1146 = select(_e1039[1][1], _e1039[0][1], (_e1039[0][1] < _e1039[1][1]));
+                                                                    let _e1150 = select(_e1039[1][1], _e1039[0][1], (_e1039[0][1] > _e1039[1][1]));
+                                                                    let _e1154 = select(_e1039[1][2], _e1039[0][2], (_e1039[0][2] < _e1039[1][2]));
+                                                                    let _e1158 = select(_e1039[1][2], _e1039[0][2], (_e1039[0][2] > _e1039[1][2]));
+                                                                    let _e1163 = ((select(_e1039[2][0], _e1138, (_e1138 < _e1039[2][0])) - _e457) * _e462);
+                                                                    let _e1164 = ((select(_e1039[2][0], _e1142, (_e1142 > _e1039[2][0])) - _e458) * _e462);
+                                                                    let _e1167 = ((select(_e1039[2][1], _e1146, (_e1146 < _e1039[2][1])) - _e523) * _e528);
+                                                                    let _e1168 = ((select(_e1039[2][1], _e1150, (_e1150 > _e1039[2][1])) - _e524) * _e528);
+                                                                    let _e1171 = ((select(_e1039[2][2], _e1154, (_e1154 < _e1039[2][2])) - _e589) * _e594);
+                                                                    let _e1172 = ((select(_e1039[2][2], _e1158, (_e1158 > _e1039[2][2])) - _e590) * _e594);
+                                                                    let _e1174 = select(_e1172, _e1171, (_e1171 < _e1172));
+                                                                    let _e1176 = select(_e1172, _e1171, (_e1171 > _e1172));
+                                                                    let _e1178 = select(_e1164, _e1163, (_e1163 < _e1164));
+                                                                    let _e1180 = select(_e1168, _e1167, (_e1167 < _e1168));
+                                                                    let _e1182 = select(_e1180, _e1178, (_e1178 > _e1180));
+                                                                    let _e1184 = select(_e1174, _e1182, (_e1182 > _e1174));
+                                                                    let _e1186 = select(_e1164, _e1163, (_e1163 > _e1164));
+                                                                    let _e1188 = select(_e1168, _e1167, (_e1167 > _e1168));
+                                                                    let _e1190 = select(_e1188, _e1186, (_e1186 < _e1188));
+                                                                    let _e1192 = select(_e1176, _e1190, (_e1190 < _e1176));
+                                                                    let _e1193 = -(_e1174);
+                                                                    let _e1199 = select(_e705, _e1184, (_e1184 > _e705));
+                                                                    if (_e1199 > (_e1192 + (select(_e1193, _e1176, (_e1176 > _e1193)) * 0.0000019073523f))) {
+                                                                        phi_2180_ = type_28();
+                                                                        phi_2181_ = true;
                                                                     } else {
-                                                                        let _e982 = (_e980 > _e721.member);
-                                                                        if _e982 {
-                                                                            phi_1841_ = type_28();
+                                                                        let _e1201 = (_e1199 > _e940.member);
+                                                                        if _e1201 {
+                                                                            phi_2179_ = type_28();
                                                                         } else {
-                                                                            let _e983 = vec3<f32>(_e820[0][0], _e820[0][1], _e820[0][2]);
-                                                                            let _e984 = vec3<f32>(_e820[1][0], _e820[1][1], _e820[1][2]);
-                                                                            let _e985 = vec3<f32>(_e820[2][0], _e820[2][1], _e820[2][2]);
-                                                                            let _e986 = (_e820[1][0] - _e820[0][0]);
-                                                                            let _e987 = (_e820[1][1] - _e820[0][1]);
-                                                                            let _e988 = (_e820[1][2] - _e820[0][2]);
-                                                                            let _e989 = vec3<f32>(_e986, _e987, _e988);
-                                                                            let _e990 = (_e820[2][0] - _e820[1][0]);
-                                                                            let _e991 = (_e820[2][1] - _e820[1][1]);
-                                                                            let _e992 = (_e820[2][2] - _e820[1][2]);
-                                                                            let _e993 = vec3<f32>(_e990, _e991, _e992);
-                                                                            let _e994 = (_e820[0][0] - _e820[2][0]);
-                                                                            let _e995 = (_e820[0][1] - _e820[2][1]);
-                                                                            let _e996 = (_e820[0][2] - _e820[2][2]);
-                                                                            let _e997 = vec3<f32>(_e994, _e995, _e996);
-                                                                            let _e1000 = bitcast<f32>((bitcast<u32>(_e986) & 2147483647u));
-                                                                            let _e1003 = bitcast<f32>((bitcast<u32>(_e987) & 2147483647u));
-                                                                            let _e1005 = select(_e1003, _e1000, (_e1000 > _e1003));
-                                                                            let _e1008 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
-                                                                            let _e1010 = select(_e1008, _e1005, (_e1005 > _e1008));
-                                                                            let _e1013 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
-                                                                            let _e1016 = bitcast<f32>((bitcast<u32>(_e991) & 2147483647u));
-                                                                            let _e1018 = select(_e1016, _e1013, (_e1013 > _e1016));
-                                                                            let _e1021 = bitcast<f32>((bitcast<u32>(_e992) & 2147483647u));
-                                                                            let _e1023 = select(_e1021, _e1018, (_e1018 > _e1021));
-                                                                            let _e1026 = bitcast<f32>((bitcast<u32>(_e994) & 2147483647u));
-                                                                            let _e1029 = bitcast<f32>((bitcast<u32>(_e995) & 2147483647u));
-                                                                            let _e1031 = select(_e1029, _e1026, (_e1026 > _e1029));
-                                                                            let _e1034 = bitcast<f32>((bitcast<u32>(_e996) & 2147483647u));
-                                                                            let _e1036 = select(_e1034, _e1031, (_e1031 > _e1034));
-                                                                            let _e1038 = select(_e1023, _e1010, (_e1010 > _e1023));
-                                                                            let _e1040 = select(_e1036, _e1038, (_e1038 > _e1036));
-                                                                            if (_e1010 == _e1040) {
-                                                                                phi_1574_ = _e847;
-                                                                                phi_1575_ = _e844;
-                                                                                phi_1576_ = _e834;
-                                                                                phi_1577_ = _e831;
-                                                                                phi_1578_ = _e983;
-                                                                                phi_1579_ = _e997;
-                                                                                phi_1580_ = _e993;
-                                                                                phi_1581_ = _e989;
+                                                                            let _e1202 = vec3<f32>(_e1039[0][0], _e1039[0][1], _e1039[0][2]);
+                                                                            let _e1203 = vec3<f32>(_e1039[1][0], _e1039[1][1], _e1039[1][2]);
+                                                                            let _e1204 = vec3<f32>(_e1039[2][0], _e1039[2][1], _e1039[2][2]);
+                                                                            let _e1205 = (_e1039[1][0] - _e1039[0][0]);
+                                                                            let _e1206 = (_e1039[1][1] - _e1039[0][1]);
+                                                                            let _e1207 = (_e1039[1][2] - _e1039[0][2]);
+                                                                            let _e1208 = vec3<f32>(_e1205, _e1206, _e1207);
+                                                                            let _e1209 = (_e1039[2][0] - _e1039[1][0]);
+                                                                            let _e1210 = (_e1039[2][1] - _e1039[1][1]);
+                                                                            let _e1211 = (_e1039[2][2] - _e1039[1][2]);
+                                                                            let _e1212 = vec3<f32>(_e1209, _e1210, _e1211);
+                                                                            let _e1213 = (_e1039[0][0] - _e1039[2][0]);
+                                                                            let _e1214 = (_e1039[0][1] - _e1039[2][1]);
+                                                                            let _e1215 = (_e1039[0][2] - _e1039[2][2]);
+                                                                            let _e1216 = vec3<f32>(_e1213, _e1214, _e1215);
+                                                                            let _e1219 = bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u));
+                                                                            let _e1222 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
+                                                                            let _e1224 = select(_e1222, _e1219, (_e1219 > _e1222));
+                                                                            let _e1227 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
+                                                                            let _e1229 = select(_e1227, _e1224, (_e1224 > _e1227));
+                                                                            let _e1232 = bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u));
+                                                                            let _e1235 = bitcast<f32>((bitcast<u32>(_e1210) & 2147483647u));
+                                                                            let _e1237 = select(_e1235, _e1232, (_e1232 > _e1235));
+                                                                            let _e1240 = bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u));
+                                                                            let _e1242 = select(_e1240, _e1237, (_e1237 > _e1240));
+                                                                            let _e1245 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
+                                                                            let _e1248 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
+                                                                            let _e1250 = select(_e1248, _e1245, (_e1245 > _e1248));
+                                                                            let _e1253 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
+                                                                            let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
+                                                                            let _e1257 = select(_e1242, _e1229, (_e1229 > _e1242));
+                                                                            let _e1259 = select(_e1255, _e1257, (_e1257 > _e1255));
+                                                                            if (_e1229 == _e1259) {
+                                                                                phi_1912_ = _e1066;
+                                                                                phi_1913_ = _e1063;
+                                                                                phi_1914_ = _e1053;
+                                                                                phi_1915_ = _e1050;
+                                                                                phi_1916_ = _e1202;
+                                                                                phi_1917_ = _e1216;
+                                                                                phi_1918_ = _e1212;
+                                                                                phi_1919_ = _e1208;
                                                                             } else {
-                                                                                let _e1042 = (_e1023 == _e1040);
-                                                                                let _e1047 = vec3(_e1042);
-                                                                                phi_1574_ = select(_e834, _e860, _e1042);
-                                                                                phi_1575_ = select(_e831, _e857, _e1042);
-                                                                                phi_1576_ = select(_e860, _e847, _e1042);
-                                                                                phi_1577_ = select(_e857, _e844, _e1042);
-                                                                                phi_1578_ = select(_e985, _e984, _e1047);
-                                                                                phi_1579_ = select(_e993, _e989, _e1047);
-                                                                                phi_1580_ = select(_e989, _e997, _e1047);
-                                                                                phi_1581_ = select(_e997, _e993, _e1047);
+                                                                                let _e1261 = (_e1242 == _e1259);
+                                                                                let _e1266 = vec3(_e1261);
+                                                                                phi_1912_ = select(_e1053, _e1079, _e1261);
+                                                                                phi_1913_ = select(_e1050, _e1076, _e1261);
+                                                                                phi_1914_ = select(_e1079, _e1066, _e1261);
+                                                                                phi_1915_ = select(_e1076, _e1063, _e1261);
+                                                                                phi_1916_ = select(_e1204, _e1203, _e1266);
+                                                                                phi_1917_ = select(_e1212, _e1208, _e1266);
+                                                                                phi_1918_ = select(_e1208, _e1216, _e1266);
+                                                                                phi_1919_ = select(_e1216, _e1212, _e1266);
                                                                             }
-                                                                            let _e1053 = phi_1574_;
-                                                                            let _e1055 = phi_1575_;
-                                                                            let _e1057 = phi_1576_;
-                                                                            let _e1059 = phi_1577_;
-                                                                            let _e1061 = phi_1578_;
-                                                                            let _e1063 = phi_1579_;
-                                                                            let _e1065 = phi_1580_;
-                                                                            let _e1067 = phi_1581_;
-                                                                            let _e1074 = ((_e1065.y * _e1063.z) - (_e1063.y * _e1065.z));
-                                                                            let _e1079 = ((_e1065.z * _e1063.x) - (_e1063.z * _e1065.x));
-                                                                            let _e1082 = ((_e1065.x * _e1063.y) - (_e1063.x * _e1065.y));
-                                                                            if (_e882 >= _e886) {
-                                                                                phi_1612_ = select(true, false, (_e882 >= _e890));
+                                                                            let _e1272 = phi_1912_;
+                                                                            let _e1274 = phi_1913_;
+                                                                            let _e1276 = phi_1914_;
+                                                                            let _e1278 = phi_1915_;
+                                                                            let _e1280 = phi_1916_;
+                                                                            let _e1282 = phi_1917_;
+                                                                            let _e1284 = phi_1918_;
+                                                                            let _e1286 = phi_1919_;
+                                                                            let _e1293 = ((_e1284.y * _e1282.z) - (_e1282.y * _e1284.z));
+                                                                            let _e1298 = ((_e1284.z * _e1282.x) - (_e1282.z * _e1284.x));
+                                                                            let _e1301 = ((_e1284.x * _e1282.y) - (_e1282.x * _e1284.y));
+                                                                            if (_e1101 >= _e1105) {
+                                                                                phi_1950_ = select(true, false, (_e1101 >= _e1109));
                                                                             } else {
-                                                                                phi_1612_ = true;
+                                                                                phi_1950_ = true;
                                                                             }
-                                                                            let _e1087 = phi_1612_;
-                                                                            if _e1087 {
-                                                                                phi_1621_ = select(_e985, _e984, vec3((_e886 >= _e890)));
+                                                                            let _e1306 = phi_1950_;
+                                                                            if _e1306 {
+                                                                                phi_1959_ = select(_e1204, _e1203, vec3((_e1105 >= _e1109)));
                                                                             } else {
-                                                                                phi_1621_ = _e983;
+                                                                                phi_1959_ = _e1202;
                                                                             }
-                                                                            let _e1092 = phi_1621_;
-                                                                            let _e1103 = (((_e1074 * (_e1092.x - _e340)) + (_e1079 * (_e1092.y - _e377))) + (_e1082 * (_e1092.z - _e413)));
-                                                                            let _e1108 = (((_e1074 * _e365) + (_e1079 * _e401)) + (_e1082 * _e437));
-                                                                            let _e1109 = (_e1055 - _e1059);
-                                                                            let _e1110 = (_e1053 - _e1057);
-                                                                            let _e1118 = (-(((_e1059 * _e1109) + (_e1057 * _e1110))) / ((_e1109 * _e1109) + (_e1110 * _e1110)));
-                                                                            let _e1120 = select(1f, _e1118, (_e1118 < 1f));
-                                                                            let _e1122 = select(0f, _e1120, (_e1120 > 0f));
-                                                                            let _e1135 = ((_e1061.x + (_e1067.x * _e1122)) - _e340);
-                                                                            let _e1136 = ((_e1061.y + (_e1067.y * _e1122)) - _e377);
-                                                                            let _e1137 = ((_e1061.z + (_e1067.z * _e1122)) - _e413);
-                                                                            let _e1138 = (_e1137 / _e437);
-                                                                            let _e1150 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
-                                                                            let _e1153 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
-                                                                            let _e1155 = select(_e1153, _e1150, (_e1150 > _e1153));
-                                                                            let _e1158 = bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u));
-                                                                            let _e1160 = select(_e1158, _e1155, (_e1155 > _e1158));
-                                                                            let _e1166 = bitcast<f32>((bitcast<u32>(_e1074) & 2147483647u));
-                                                                            let _e1169 = bitcast<f32>((bitcast<u32>(_e1079) & 2147483647u));
-                                                                            let _e1171 = select(_e1169, _e1166, (_e1166 > _e1169));
-                                                                            let _e1174 = bitcast<f32>((bitcast<u32>(_e1082) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1074 * _e1135) + (_e1079 * _e1136)) + (_e1082 * _e1137)) - _e1103)) & 2147483647u)) <= ((0.0000009536743f * select(_e1040, _e1160, (_e1160 > _e1040))) * select(_e1174, _e1171, (_e1171 > _e1174)))) {
-                                                                                let _e1184 = bitcast<f32>((bitcast<u32>(_e1065.x) & 2147483647u));
-                                                                                let _e1187 = bitcast<f32>((bitcast<u32>(_e1065.y) & 2147483647u));
-                                                                                let _e1189 = select(_e1187, _e1184, (_e1184 > _e1187));
-                                                                                let _e1192 = bitcast<f32>((bitcast<u32>(_e1065.z) & 2147483647u));
-                                                                                let _e1198 = bitcast<f32>((bitcast<u32>(_e1063.x) & 2147483647u));
-                                                                                let _e1201 = bitcast<f32>((bitcast<u32>(_e1063.y) & 2147483647u));
-                                                                                let _e1203 = select(_e1201, _e1198, (_e1198 > _e1201));
-                                                                                let _e1206 = bitcast<f32>((bitcast<u32>(_e1063.z) & 2147483647u));
-                                                                                let _e1210 = (bitcast<f32>((bitcast<u32>(_e1108) & 2147483647u)) > ((0.0000038146973f * select(_e1192, _e1189, (_e1189 > _e1192))) * select(_e1206, _e1203, (_e1203 > _e1206))));
-                                                                                if _e1210 {
-                                                                                    phi_1786_ = (_e1103 / _e1108);
+                                                                            let _e1311 = phi_1959_;
+                                                                            let _e1322 = (((_e1293 * (_e1311.x - _e419)) + (_e1298 * (_e1311.y - _e486))) + (_e1301 * (_e1311.z - _e552)));
+                                                                            let _e1327 = (((_e1293 * _e459) + (_e1298 * _e525)) + (_e1301 * _e591));
+                                                                            let _e1328 = (_e1274 - _e1278);
+                                                                            let _e1329 = (_e1272 - _e1276);
+                                                                            let _e1337 = (-(((_e1278 * _e1328) + (_e1276 * _e1329))) / ((_e1328 * _e1328) + (_e1329 * _e1329)));
+                                                                            let _e1339 = select(1f, _e1337, (_e1337 < 1f));
+                                                                            let _e1341 = select(0f, _e1339, (_e1339 > 0f));
+                                                                            let _e1354 = ((_e1280.x + (_e1286.x * _e1341)) - _e419);
+                                                                            let _e1355 = ((_e1280.y + (_e1286.y * _e1341)) - _e486);
+                                                                            let _e1356 = ((_e1280.z + (_e1286.z * _e1341)) - _e552);
+                                                                            let _e1357 = (_e1356 / _e591);
+                                                                            let _e1369 = bitcast<f32>((bitcast<u32>(_e1354) & 2147483647u));
+                                                                            let _e1372 = bitcast<f32>((bitcast<u32>(_e1355) & 2147483647u));
+                                                                            let _e1374 = select(_e1372, _e1369, (_e1369 > _e1372));
+                                                                            let _e1377 = bitcast<f32>((bitcast<u32>(_e1356) & 2147483647u));
+                                                                            let _e1379 = select(_e1377, _e1374, (_e1374 > _e1377));
+                                                                            let _e1385 = bitcast<f32>((bitcast<u32>(_e1293) & 2147483647u));
+                                                                            let _e1388 = bitcast<f32>((bitcast<u32>(_e1298) & 2147483647u));
+                                                                            let _e1390 = select(_e1388, _e1385, (_e1385 > _e1388));
+                                                                            let _e1393 = bitcast<f32>((bitcast<u32>(_e1301) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1293 * _e1354) + (_e1298 * _e1355)) + (_e1301 * _e1356)) - _e1322)) & 2147483647u)) <= ((0.0000009536743f * select(_e1259, _e1379, (_e1379 > _e1259))) * select(_e1393, _e1390, (_e1390 > _e1393)))) {
+                                                                                let _e1403 = bitcast<f32>((bitcast<u32>(_e1284.x) & 2147483647u));
+                                                                                let _e1406 = bitcast<f32>((bitcast<u32>(_e1284.y) & 2147483647u));
+                                                                                let _e1408 = select(_e1406, _e1403, (_e1403 > _e1406));
+                                                                                let _e1411 = bitcast<f32>((bitcast<u32>(_e1284.z) & 2147483647u));
+                                                                                let _e1417 = bitcast<f32>((bitcast<u32>(_e1282.x) & 2147483647u));
+                                                                                let _e1420 = bitcast<f32>((bitcast<u32>(_e1282.y) & 2147483647u));
+                                                                                let _e1422 = select(_e1420, _e1417, (_e1417 > _e1420));
+                                                                                let _e1425 = bitcast<f32>((bitcast<u32>(_e1282.z) & 2147483647u));
+                                                                                let _e1429 = (bitcast<f32>((bitcast<u32>(_e1327) & 2147483647u)) > ((0.0000038146973f * select(_e1411, _e1408, (_e1408 > _e1411))) * select(_e1425, _e1422, (_e1422 > _e1425))));
+                                                                                if _e1429 {
+                                                                                    phi_2124_ = (_e1322 / _e1327);
                                                                                 } else {
-                                                                                    phi_1786_ = f32();
+                                                                                    phi_2124_ = f32();
                                                                                 }
-                                                                                let _e1213 = phi_1786_;
-                                                                                phi_1788_ = _e1213;
-                                                                                phi_1789_ = select(true, false, _e1210);
+                                                                                let _e1432 = phi_2124_;
+                                                                                phi_2126_ = _e1432;
+                                                                                phi_2127_ = select(true, false, _e1429);
                                                                             } else {
-                                                                                phi_1788_ = f32();
-                                                                                phi_1789_ = true;
+                                                                                phi_2126_ = f32();
+                                                                                phi_2127_ = true;
                                                                             }
-                                                                            let _e1216 = phi_1788_;
-                                                                            let _e1218 = phi_1789_;
-                                                                            if _e1218 {
-                                                                                let _e1226 = (((_e1074 * (_e1135 - (_e365 * _e1138))) + (_e1079 * (_e1136 - (_e401 * _e1138)))) / _e1108);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1226) & 2147483647u)) <= _e1040) {
-                                                                                    phi_1809_ = (_e1138 + _e1226);
+                                                                            let _e1435 = phi_2126_;
+                                                                            let _e1437 = phi_2127_;
+                                                                            if _e1437 {
+                                                                                let _e1445 = (((_e1293 * (_e1354 - (_e459 * _e1357))) + (_e1298 * (_e1355 - (_e525 * _e1357)))) / _e1327);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1445) & 2147483647u)) <= _e1259) {
+                                                                                    phi_2147_ = (_e1357 + _e1445);
                                                                                 } else {
-                                                                                    phi_1809_ = _e1138;
+                                                                                    phi_2147_ = _e1357;
                                                                                 }
-                                                                                let _e1233 = phi_1809_;
-                                                                                phi_1810_ = _e1233;
+                                                                                let _e1452 = phi_2147_;
+                                                                                phi_2148_ = _e1452;
                                                                             } else {
-                                                                                phi_1810_ = _e1216;
+                                                                                phi_2148_ = _e1435;
                                                                             }
-                                                                            let _e1235 = phi_1810_;
-                                                                            let _e1237 = select(_e973, _e1235, (_e1235 < _e973));
-                                                                            let _e1239 = select(_e965, _e1237, (_e1237 > _e965));
-                                                                            if (_e1239 >= _e486) {
-                                                                                let _e1241 = (_e1239 <= _e721.member);
-                                                                                if _e1241 {
-                                                                                    let _e1242 = (1f / _e892);
-                                                                                    phi_1833_ = type_28(_e1239, (_e886 * _e1242), (_e890 * _e1242), _e750);
+                                                                            let _e1454 = phi_2148_;
+                                                                            let _e1456 = select(_e1192, _e1454, (_e1454 < _e1192));
+                                                                            let _e1458 = select(_e1184, _e1456, (_e1456 > _e1184));
+                                                                            if (_e1458 >= _e705) {
+                                                                                let _e1460 = (_e1458 <= _e940.member);
+                                                                                if _e1460 {
+                                                                                    let _e1461 = (1f / _e1111);
+                                                                                    phi_2171_ = type_28(_e1458, (_e1105 * _e1461), (_e1109 * _e1461), _e969);
                                                                                 } else {
-                                                                                    phi_1833_ = type_28();
+                                                                                    phi_2171_ = type_28();
                                                                                 }
-                                                                                let _e1247 = phi_1833_;
-                                                                                phi_1835_ = _e1247;
-                                                                                phi_1836_ = select(true, false, _e1241);
+                                                                                let _e1466 = phi_2171_;
+                                                                                phi_2173_ = _e1466;
+                                                                                phi_2174_ = select(true, false, _e1460);
                                                                             } else {
-                                                                                phi_1835_ = type_28();
-                                                                                phi_1836_ = true;
+                                                                                phi_2173_ = type_28();
+                                                                                phi_2174_ = true;
                                                                             }
-                                                                            let _e1250 = phi_1835_;
-                                                                            let _e1252 = phi_1836_;
-                                                                            if _e1252 {
-                                                                                phi_1840_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e1469 = phi_2173_;
+                                                                            let _e1471 = phi_2174_;
+                                                                            if _e1471 {
+                                                                                phi_2178_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_1840_ = _e1250;
+                                                                                phi_2178_ = _e1469;
                                                                             }
-                                                                            let _e1254 = phi_1840_;
-                                                                            phi_1841_ = _e1254;
+                                                                            let _e1473 = phi_2178_;
+                                                                            phi_2179_ = _e1473;
                                                                         }
-                                                                        let _e1256 = phi_1841_;
-                                                                        phi_1842_ = _e1256;
-                                                                        phi_1843_ = _e982;
+                                                                        let _e1475 = phi_2179_;
+                                                                        phi_2180_ = _e1475;
+                                                                        phi_2181_ = _e1201;
                                                                     }
-                                                                    let _e1258 = phi_1842_;
-                                                                    let _e1260 = phi_1843_;
-                                                                    phi_1847_ = _e1258;
-                                                                    phi_1848_ = _e1260;
+                                                                    let _e1477 = phi_2180_;
+                                                                    let _e1479 = phi_2181_;
+                                                                    phi_2185_ = _e1477;
+                                                                    phi_2186_ = _e1479;
                                                                 }
-                                                                let _e1262 = phi_1847_;
-                                                                let _e1264 = phi_1848_;
-                                                                phi_1849_ = _e1262;
-                                                                phi_1850_ = _e917;
-                                                                phi_1851_ = _e1264;
+                                                                let _e1481 = phi_2185_;
+                                                                let _e1483 = phi_2186_;
+                                                                phi_2187_ = _e1481;
+                                                                phi_2188_ = _e1136;
+                                                                phi_2189_ = _e1483;
                                                             }
-                                                            let _e1266 = phi_1849_;
-                                                            let _e1268 = phi_1850_;
-                                                            let _e1270 = phi_1851_;
-                                                            phi_1852_ = _e1266;
-                                                            phi_1853_ = _e1268;
-                                                            phi_1854_ = _e1270;
+                                                            let _e1485 = phi_2187_;
+                                                            let _e1487 = phi_2188_;
+                                                            let _e1489 = phi_2189_;
+                                                            phi_2190_ = _e1485;
+                                                            phi_2191_ = _e1487;
+                                                            phi_2192_ = _e1489;
                                                         }
-                                                        let _e1272 = phi_1852_;
-                                                        let _e1274 = phi_1853_;
-                                                        let _e1276 = phi_1854_;
-                                                        phi_1862_ = _e1272;
-                                                        phi_1863_ = select(_e1276, true, _e1274);
+                                                        let _e1491 = phi_2190_;
+                                                        let _e1493 = phi_2191_;
+                                                        let _e1495 = phi_2192_;
+                                                        phi_2200_ = _e1491;
+                                                        phi_2201_ = select(_e1495, true, _e1493);
                                                     } else {
-                                                        phi_1862_ = type_28();
-                                                        phi_1863_ = true;
+                                                        phi_2200_ = type_28();
+                                                        phi_2201_ = true;
                                                     }
-                                                    let _e1279 = phi_1862_;
-                                                    let _e1281 = phi_1863_;
-                                                    if _e1281 {
-                                                        phi_1867_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1498 = phi_2200_;
+                                                    let _e1500 = phi_2201_;
+                                                    if _e1500 {
+                                                        phi_2205_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1867_ = _e1279;
+                                                        phi_2205_ = _e1498;
                                                     }
-                                                    let _e1283 = phi_1867_;
-                                                    if (_e1283.member_3 != 4294967295u) {
-                                                        if (_e750 == _e103) {
-                                                            phi_2196_ = false;
+                                                    let _e1502 = phi_2205_;
+                                                    if (_e1502.member_3 != 4294967295u) {
+                                                        if (_e969 == _e107) {
+                                                            phi_2534_ = false;
                                                         } else {
-                                                            let _e1287 = (_e750 < arrayLength((&global_5.member)));
-                                                            if _e1287 {
-                                                                if _e1287 {
+                                                            let _e1506 = (_e969 < arrayLength((&global_5.member)));
+                                                            if _e1506 {
+                                                                if _e1506 {
                                                                 } else {
-                                                                    phi_2739_ = true;
+                                                                    phi_3077_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1289 = global_5.member[_e750];
-                                                                phi_1890_ = _e1289;
+                                                                let _e1508 = global_5.member[_e969];
+                                                                phi_2228_ = _e1508;
                                                             } else {
-                                                                phi_1890_ = 4294967295u;
+                                                                phi_2228_ = 4294967295u;
                                                             }
-                                                            let _e1291 = phi_1890_;
-                                                            let _e1292 = (_e1291 < arrayLength((&global_6.member)));
-                                                            if _e1292 {
-                                                                if _e1292 {
+                                                            let _e1510 = phi_2228_;
+                                                            let _e1511 = (_e1510 < arrayLength((&global_6.member)));
+                                                            if _e1511 {
+                                                                if _e1511 {
                                                                 } else {
-                                                                    phi_2739_ = true;
+                                                                    phi_3077_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1294 = global_6.member[_e1291];
-                                                                phi_1904_ = _e1294;
+                                                                let _e1513 = global_6.member[_e1510];
+                                                                phi_2242_ = _e1513;
                                                             } else {
-                                                                phi_1904_ = 0i;
+                                                                phi_2242_ = 0i;
                                                             }
-                                                            let _e1296 = phi_1904_;
-                                                            let _e1297 = (_e1296 == 0i);
-                                                            if _e1297 {
-                                                                phi_2195_ = true;
+                                                            let _e1515 = phi_2242_;
+                                                            let _e1516 = (_e1515 == 0i);
+                                                            if _e1516 {
+                                                                phi_2533_ = true;
                                                             } else {
-                                                                if _e332 {
-                                                                    phi_1925_ = vec3<f32>(_e820[0][0], _e820[0][1], _e820[0][2]);
+                                                                if _e396 {
+                                                                    phi_2263_ = vec3<f32>(_e1039[0][0], _e1039[0][1], _e1039[0][2]);
                                                                 } else {
-                                                                    if (_e308 == 1u) {
-                                                                        phi_1924_ = vec3<f32>(_e820[0][2], _e820[0][0], _e820[0][1]);
+                                                                    if (_e372 == 1u) {
+                                                                        phi_2262_ = vec3<f32>(_e1039[0][2], _e1039[0][0], _e1039[0][1]);
                                                                     } else {
-                                                                        phi_1924_ = vec3<f32>(_e820[0][1], _e820[0][2], _e820[0][0]);
+                                                                        phi_2262_ = vec3<f32>(_e1039[0][1], _e1039[0][2], _e1039[0][0]);
                                                                     }
-                                                                    let _e1302 = phi_1924_;
-                                                                    phi_1925_ = _e1302;
+                                                                    let _e1521 = phi_2262_;
+                                                                    phi_2263_ = _e1521;
                                                                 }
-                                                                let _e1305 = phi_1925_;
-                                                                if _e332 {
-                                                                    phi_1942_ = vec3<f32>(_e820[1][0], _e820[1][1], _e820[1][2]);
+                                                                let _e1524 = phi_2263_;
+                                                                if _e396 {
+                                                                    phi_2280_ = vec3<f32>(_e1039[1][0], _e1039[1][1], _e1039[1][2]);
                                                                 } else {
-                                                                    if (_e308 == 1u) {
-                                                                        phi_1941_ = vec3<f32>(_e820[1][2], _e820[1][0], _e820[1][1]);
+                                                                    if (_e372 == 1u) {
+                                                                        phi_2279_ = vec3<f32>(_e1039[1][2], _e1039[1][0], _e1039[1][1]);
                                                                     } else {
-                                                                        phi_1941_ = vec3<f32>(_e820[1][1], _e820[1][2], _e820[1][0]);
+                                                                        phi_2279_ = vec3<f32>(_e1039[1][1], _e1039[1][2], _e1039[1][0]);
                                                                     }
-                                                                    let _e1310 = phi_1941_;
-                                                                    phi_1942_ = _e1310;
+                                                                    let _e1529 = phi_2279_;
+                                                                    phi_2280_ = _e1529;
                                                                 }
-                                                                let _e1313 = phi_1942_;
-                                                                if _e332 {
-                                                                    phi_1959_ = vec3<f32>(_e820[2][0], _e820[2][1], _e820[2][2]);
+                                                                let _e1532 = phi_2280_;
+                                                                if _e396 {
+                                                                    phi_2297_ = vec3<f32>(_e1039[2][0], _e1039[2][1], _e1039[2][2]);
                                                                 } else {
-                                                                    if (_e308 == 1u) {
-                                                                        phi_1958_ = vec3<f32>(_e820[2][2], _e820[2][0], _e820[2][1]);
+                                                                    if (_e372 == 1u) {
+                                                                        phi_2296_ = vec3<f32>(_e1039[2][2], _e1039[2][0], _e1039[2][1]);
                                                                     } else {
-                                                                        phi_1958_ = vec3<f32>(_e820[2][1], _e820[2][2], _e820[2][0]);
+                                                                        phi_2296_ = vec3<f32>(_e1039[2][1], _e1039[2][2], _e1039[2][0]);
                                                                     }
-                                                                    let _e1318 = phi_1958_;
-                                                                    phi_1959_ = _e1318;
+                                                                    let _e1537 = phi_2296_;
+                                                                    phi_2297_ = _e1537;
                                                                 }
-                                                                let _e1321 = phi_1959_;
-                                                                let _e1324 = (_e1313.x - _e1305.x);
-                                                                let _e1327 = (_e1313.y - _e1305.y);
-                                                                let _e1330 = (_e1313.z - _e1305.z);
-                                                                let _e1332 = (_e1321.x - _e1305.x);
-                                                                let _e1334 = (_e1321.y - _e1305.y);
-                                                                let _e1336 = (_e1321.z - _e1305.z);
-                                                                if (_e175.member_1 == 1u) {
-                                                                    phi_1995_ = (vec3<f32>(_e175.member[0], _e175.member[1], _e175.member[2]) - _e1305);
+                                                                let _e1540 = phi_2297_;
+                                                                let _e1543 = (_e1532.x - _e1524.x);
+                                                                let _e1546 = (_e1532.y - _e1524.y);
+                                                                let _e1549 = (_e1532.z - _e1524.z);
+                                                                let _e1551 = (_e1540.x - _e1524.x);
+                                                                let _e1553 = (_e1540.y - _e1524.y);
+                                                                let _e1555 = (_e1540.z - _e1524.z);
+                                                                if (_e239.member_1 == 1u) {
+                                                                    phi_2333_ = (vec3<f32>(_e239.member[0], _e239.member[1], _e239.member[2]) - _e1524);
                                                                 } else {
-                                                                    phi_1995_ = vec3<f32>(_e175.member[0], _e175.member[1], _e175.member[2]);
+                                                                    phi_2333_ = vec3<f32>(_e239.member[0], _e239.member[1], _e239.member[2]);
                                                                 }
-                                                                let _e1351 = phi_1995_;
-                                                                let _e1357 = bitcast<f32>((bitcast<u32>((_e1324 * _e1334)) ^ _e175.member_3[0]));
-                                                                let _e1361 = bitcast<f32>((bitcast<u32>((_e1327 * _e1332)) ^ _e175.member_3[0]));
-                                                                let _e1365 = bitcast<f32>((bitcast<u32>((_e1327 * _e1336)) ^ _e175.member_3[0]));
-                                                                let _e1369 = bitcast<f32>((bitcast<u32>((_e1330 * _e1334)) ^ _e175.member_3[0]));
-                                                                let _e1373 = bitcast<f32>((bitcast<u32>((_e1330 * _e1332)) ^ _e175.member_3[0]));
-                                                                let _e1377 = bitcast<f32>((bitcast<u32>((_e1324 * _e1336)) ^ _e175.member_3[0]));
-                                                                let _e1378 = (_e1365 - _e1369);
-                                                                let _e1379 = (_e1373 - _e1377);
-                                                                let _e1380 = (_e1357 - _e1361);
-                                                                let _e1404 = (bitcast<f32>((bitcast<u32>(_e1365) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1369) & 2147483647u)));
-                                                                let _e1411 = (bitcast<f32>((bitcast<u32>(_e1373) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1377) & 2147483647u)));
-                                                                let _e1418 = (bitcast<f32>((bitcast<u32>(_e1357) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1361) & 2147483647u)));
-                                                                if (_e175.member_2 == 0f) {
-                                                                    phi_2177_ = 0f;
+                                                                let _e1570 = phi_2333_;
+                                                                let _e1576 = bitcast<f32>((bitcast<u32>((_e1543 * _e1553)) ^ _e239.member_3[0]));
+                                                                let _e1580 = bitcast<f32>((bitcast<u32>((_e1546 * _e1551)) ^ _e239.member_3[0]));
+                                                                let _e1584 = bitcast<f32>((bitcast<u32>((_e1546 * _e1555)) ^ _e239.member_3[0]));
+                                                                let _e1588 = bitcast<f32>((bitcast<u32>((_e1549 * _e1553)) ^ _e239.member_3[0]));
+                                                                let _e1592 = bitcast<f32>((bitcast<u32>((_e1549 * _e1551)) ^ _e239.member_3[0]));
+                                                                let _e1596 = bitcast<f32>((bitcast<u32>((_e1543 * _e1555)) ^ _e239.member_3[0]));
+                                                                let _e1597 = (_e1584 - _e1588);
+                                                                let _e1598 = (_e1592 - _e1596);
+                                                                let _e1599 = (_e1576 - _e1580);
+                                                                let _e1623 = (bitcast<f32>((bitcast<u32>(_e1584) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1588) & 2147483647u)));
+                                                                let _e1630 = (bitcast<f32>((bitcast<u32>(_e1592) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1596) & 2147483647u)));
+                                                                let _e1637 = (bitcast<f32>((bitcast<u32>(_e1576) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u)));
+                                                                if (_e239.member_2 == 0f) {
+                                                                    phi_2515_ = 0f;
                                                                 } else {
-                                                                    let _e1448 = bitcast<f32>((bitcast<u32>(_e1378) & 2147483647u));
-                                                                    let _e1451 = bitcast<f32>((bitcast<u32>(_e1379) & 2147483647u));
-                                                                    let _e1454 = bitcast<f32>((bitcast<u32>(_e1380) & 2147483647u));
-                                                                    let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
-                                                                    let _e1460 = select(_e1454, _e1451, (_e1451 < _e1454));
-                                                                    let _e1464 = select(_e1451, _e1448, (_e1448 < _e1451));
-                                                                    let _e1466 = select(_e1451, _e1448, (_e1448 > _e1451));
-                                                                    let _e1468 = select(_e1454, _e1466, (_e1466 < _e1454));
-                                                                    phi_2177_ = bitcast<f32>((bitcast<u32>((_e175.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1456, _e1448, (_e1448 > _e1456)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1468, _e1464, (_e1464 > _e1468)))) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1460, _e1448, (_e1448 < _e1460)))) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1404 + _e1411) + _e1418))) ^ _e175.member_3[0]))) * 1.0000005f)) ^ _e175.member_3[0])))) ^ _e175.member_3[0]));
+                                                                    let _e1667 = bitcast<f32>((bitcast<u32>(_e1597) & 2147483647u));
+                                                                    let _e1670 = bitcast<f32>((bitcast<u32>(_e1598) & 2147483647u));
+                                                                    let _e1673 = bitcast<f32>((bitcast<u32>(_e1599) & 2147483647u));
+                                                                    let _e1675 = select(_e1673, _e1670, (_e1670 > _e1673));
+                                                                    let _e1679 = select(_e1673, _e1670, (_e1670 < _e1673));
+                                                                    let _e1683 = select(_e1670, _e1667, (_e1667 < _e1670));
+                                                                    let _e1685 = select(_e1670, _e1667, (_e1667 > _e1670));
+                                                                    let _e1687 = select(_e1673, _e1685, (_e1685 < _e1673));
+                                                                    phi_2515_ = bitcast<f32>((bitcast<u32>((_e239.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1675, _e1667, (_e1667 > _e1675)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1687, _e1683, (_e1683 > _e1687)))) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1679, _e1667, (_e1667 < _e1679)))) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1623 + _e1630) + _e1637))) ^ _e239.member_3[0]))) * 1.0000005f)) ^ _e239.member_3[0])))) ^ _e239.member_3[0]));
                                                                 }
-                                                                let _e1495 = phi_2177_;
-                                                                phi_2195_ = (_e1297 || !(((((bitcast<f32>((bitcast<u32>((_e1351.x * _e1378)) ^ _e175.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1351.y * _e1379)) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1351.z * _e1380)) ^ _e175.member_3[0]))) * f32(-(_e1296))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1351.x) & 2147483647u)) * _e1404)) ^ _e175.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1351.y) & 2147483647u)) * _e1411)) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1351.z) & 2147483647u)) * _e1418)) ^ _e175.member_3[0]))))) ^ _e175.member_3[0])) + _e1495) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1714 = phi_2515_;
+                                                                phi_2533_ = (_e1516 || !(((((bitcast<f32>((bitcast<u32>((_e1570.x * _e1597)) ^ _e239.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1570.y * _e1598)) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1570.z * _e1599)) ^ _e239.member_3[0]))) * f32(-(_e1515))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1570.x) & 2147483647u)) * _e1623)) ^ _e239.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1570.y) & 2147483647u)) * _e1630)) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1570.z) & 2147483647u)) * _e1637)) ^ _e239.member_3[0]))))) ^ _e239.member_3[0])) + _e1714) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1509 = phi_2195_;
-                                                            phi_2196_ = _e1509;
+                                                            let _e1728 = phi_2533_;
+                                                            phi_2534_ = _e1728;
                                                         }
-                                                        let _e1511 = phi_2196_;
-                                                        if _e1511 {
-                                                            phi_2201_ = type_55(_e721.member, true);
+                                                        let _e1730 = phi_2534_;
+                                                        if _e1730 {
+                                                            phi_2539_ = type_55(_e940.member, true);
                                                         } else {
-                                                            phi_2201_ = _e721;
+                                                            phi_2539_ = _e940;
                                                         }
-                                                        let _e1516 = phi_2201_;
-                                                        phi_2202_ = _e1516;
+                                                        let _e1735 = phi_2539_;
+                                                        phi_2540_ = _e1735;
                                                     } else {
-                                                        phi_2202_ = _e721;
+                                                        phi_2540_ = _e940;
                                                     }
-                                                    let _e1518 = phi_2202_;
-                                                    phi_892_ = _e1518;
+                                                    let _e1737 = phi_2540_;
+                                                    phi_1230_ = _e1737;
                                                 } else {
-                                                    phi_892_ = type_55();
+                                                    phi_1230_ = type_55();
                                                 }
-                                                let _e1520 = phi_892_;
+                                                let _e1739 = phi_1230_;
                                                 continue;
                                                 continuing {
-                                                    phi_891_ = _e1520;
-                                                    phi_894_ = _e736;
-                                                    phi_2739_ = _e494;
-                                                    break if !(_e742);
+                                                    phi_1229_ = _e1739;
+                                                    phi_1232_ = _e955;
+                                                    phi_3077_ = _e713;
+                                                    break if !(_e961);
                                                 }
                                             }
-                                            let _e1523 = phi_2739_;
-                                            phi_2905_ = _e1523;
-                                            if _e1523 {
+                                            let _e1742 = phi_3077_;
+                                            phi_3269_ = _e1742;
+                                            if _e1742 {
                                                 break;
                                             }
-                                            let _e1525 = local_2;
-                                            phi_2909_ = _e1523;
-                                            let _e1724 = local_4;
-                                            phi_2658_ = _e1724;
-                                            phi_2659_ = _e519;
-                                            phi_2660_ = false;
-                                            phi_2661_ = select(_e523, 0u, _e1525.member_1);
+                                            let _e1744 = local_2;
+                                            phi_3273_ = _e1742;
+                                            let _e1949 = local_4;
+                                            phi_2996_ = _e1949;
+                                            phi_2997_ = _e738;
+                                            phi_2998_ = false;
+                                            phi_2999_ = select(_e742, 0u, _e1744.member_1);
                                         } else {
-                                            if (_e519 >= _e78) {
-                                                phi_2263_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e738 >= _e82) {
+                                                phi_2601_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e519 < _e78) {
+                                                if (_e738 < _e82) {
                                                 } else {
-                                                    phi_2905_ = true;
+                                                    phi_3269_ = true;
                                                     break;
                                                 }
-                                                let _e533 = (_e308 % 3u);
-                                                if (_e533 < 3u) {
+                                                let _e752 = (_e372 % 3u);
+                                                if (_e752 < 3u) {
                                                 } else {
-                                                    phi_2905_ = true;
+                                                    phi_3269_ = true;
                                                     break;
                                                 }
-                                                let _e539 = global_4.member[_e519].member[_e533];
-                                                let _e545 = (_e307 % 3u);
-                                                if (_e545 < 3u) {
+                                                let _e758 = global_4.member[_e738].member[_e752];
+                                                let _e764 = (_e371 % 3u);
+                                                if (_e764 < 3u) {
                                                 } else {
-                                                    phi_2905_ = true;
+                                                    phi_3269_ = true;
                                                     break;
                                                 }
-                                                let _e551 = global_4.member[_e519].member[_e545];
-                                                let _e557 = (_e309 % 3u);
-                                                if (_e557 < 3u) {
+                                                let _e770 = global_4.member[_e738].member[_e764];
+                                                let _e776 = (_e373 % 3u);
+                                                if (_e776 < 3u) {
                                                 } else {
-                                                    phi_2905_ = true;
+                                                    phi_3269_ = true;
                                                     break;
                                                 }
-                                                let _e563 = global_4.member[_e519].member[_e557];
-                                                let _e573 = global_4.member[_e519].member_1;
-                                                let _e577 = global_4.member[_e519].member_2;
-                                                phi_2263_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e539[0], _e539[1], _e539[2], _e539[3]), vec4<f32>(_e551[0], _e551[1], _e551[2], _e551[3]), vec4<f32>(_e563[0], _e563[1], _e563[2], _e563[3])), _e573, _e577);
+                                                let _e782 = global_4.member[_e738].member[_e776];
+                                                let _e792 = global_4.member[_e738].member_1;
+                                                let _e796 = global_4.member[_e738].member_2;
+                                                phi_2601_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e758[0], _e758[1], _e758[2], _e758[3]), vec4<f32>(_e770[0], _e770[1], _e770[2], _e770[3]), vec4<f32>(_e782[0], _e782[1], _e782[2], _e782[3])), _e792, _e796);
                                             }
-                                            let _e580 = phi_2263_;
-                                            let _e592 = ((_e580.member[0].x - _e363) * _e368);
-                                            let _e593 = ((_e580.member[0].y - _e363) * _e368);
-                                            let _e594 = ((_e580.member[0].z - _e364) * _e368);
-                                            let _e595 = ((_e580.member[0].w - _e364) * _e368);
-                                            let _e605 = ((_e580.member[1].x - _e399) * _e404);
-                                            let _e606 = ((_e580.member[1].y - _e399) * _e404);
-                                            let _e607 = ((_e580.member[1].z - _e400) * _e404);
-                                            let _e608 = ((_e580.member[1].w - _e400) * _e404);
-                                            let _e618 = ((_e580.member[2].x - _e435) * _e440);
-                                            let _e619 = ((_e580.member[2].y - _e435) * _e440);
-                                            let _e620 = ((_e580.member[2].z - _e436) * _e440);
-                                            let _e621 = ((_e580.member[2].w - _e436) * _e440);
-                                            let _e623 = select(_e620, _e618, (_e618 < _e620));
-                                            let _e625 = select(_e621, _e619, (_e619 < _e621));
-                                            let _e627 = select(_e620, _e618, (_e618 > _e620));
-                                            let _e629 = select(_e621, _e619, (_e619 > _e621));
-                                            let _e631 = select(_e594, _e592, (_e592 < _e594));
-                                            let _e633 = select(_e595, _e593, (_e593 < _e595));
-                                            let _e635 = select(_e607, _e605, (_e605 < _e607));
-                                            let _e637 = select(_e608, _e606, (_e606 < _e608));
-                                            let _e639 = select(_e635, _e631, (_e631 > _e635));
-                                            let _e641 = select(_e637, _e633, (_e633 > _e637));
-                                            let _e643 = select(_e623, _e639, (_e639 > _e623));
-                                            let _e645 = select(_e625, _e641, (_e641 > _e625));
-                                            let _e647 = select(_e594, _e592, (_e592 > _e594));
-                                            let _e649 = select(_e595, _e593, (_e593 > _e595));
-                                            let _e651 = select(_e607, _e605, (_e605 > _e607));
-                                            let _e653 = select(_e608, _e606, (_e606 > _e608));
-                                            let _e655 = select(_e651, _e647, (_e647 < _e651));
-                                            let _e657 = select(_e653, _e649, (_e649 < _e653));
-                                            let _e662 = -(_e623);
-                                            let _e663 = -(_e625);
-                                            let _e670 = (select(_e627, _e655, (_e655 < _e627)) + (select(_e662, _e627, (_e627 > _e662)) * 0.0000019073523f));
-                                            let _e671 = (select(_e629, _e657, (_e657 < _e629)) + (select(_e663, _e629, (_e629 > _e663)) * 0.0000019073523f));
-                                            let _e673 = select(_e486, _e643, (_e643 > _e486));
-                                            let _e675 = select(_e486, _e645, (_e645 > _e486));
-                                            let _e680 = (_e673 <= select(_e496.member, _e670, (_e670 < _e496.member)));
-                                            let _e681 = (_e675 <= select(_e496.member, _e671, (_e671 < _e496.member)));
-                                            let _e682 = (_e673 <= _e675);
-                                            if _e680 {
-                                                if _e681 {
-                                                    if _e682 {
-                                                        phi_2607_ = _e580.member_2;
+                                            let _e799 = phi_2601_;
+                                            let _e811 = ((_e799.member[0].x - _e457) * _e462);
+                                            let _e812 = ((_e799.member[0].y - _e457) * _e462);
+                                            let _e813 = ((_e799.member[0].z - _e458) * _e462);
+                                            let _e814 = ((_e799.member[0].w - _e458) * _e462);
+                                            let _e824 = ((_e799.member[1].x - _e523) * _e528);
+                                            let _e825 = ((_e799.member[1].y - _e523) * _e528);
+                                            let _e826 = ((_e799.member[1].z - _e524) * _e528);
+                                            let _e827 = ((_e799.member[1].w - _e524) * _e528);
+                                            let _e837 = ((_e799.member[2].x - _e589) * _e594);
+                                            let _e838 = ((_e799.member[2].y - _e589) * _e594);
+                                            let _e839 = ((_e799.member[2].z - _e590) * _e594);
+                                            let _e840 = ((_e799.member[2].w - _e590) * _e594);
+                                            let _e842 = select(_e839, _e837, (_e837 < _e839));
+                                            let _e844 = select(_e840, _e838, (_e838 < _e840));
+                                            let _e846 = select(_e839, _e837, (_e837 > _e839));
+                                            let _e848 = select(_e840, _e838, (_e838 > _e840));
+                                            let _e850 = select(_e813, _e811, (_e811 < _e813));
+                                            let _e852 = select(_e814, _e812, (_e812 < _e814));
+                                            let _e854 = select(_e826, _e824, (_e824 < _e826));
+                                            let _e856 = select(_e827, _e825, (_e825 < _e827));
+                                            let _e858 = select(_e854, _e850, (_e850 > _e854));
+                                            let _e860 = select(_e856, _e852, (_e852 > _e856));
+                                            let _e862 = select(_e842, _e858, (_e858 > _e842));
+                                            let _e864 = select(_e844, _e860, (_e860 > _e844));
+                                            let _e866 = select(_e813, _e811, (_e811 > _e813));
+                                            let _e868 = select(_e814, _e812, (_e812 > _e814));
+                                            let _e870 = select(_e826, _e824, (_e824 > _e826));
+                                            let _e872 = select(_e827, _e825, (_e825 > _e827));
+                                            let _e874 = select(_e870, _e866, (_e866 < _e870));
+                                            let _e876 = select(_e872, _e868, (_e868 < _e872));
+                                            let _e881 = -(_e842);
+                                            let _e882 = -(_e844);
+                                            let _e889 = (select(_e846, _e874, (_e874 < _e846)) + (select(_e881, _e846, (_e846 > _e881)) * 0.0000019073523f));
+                                            let _e890 = (select(_e848, _e876, (_e876 < _e848)) + (select(_e882, _e848, (_e848 > _e882)) * 0.0000019073523f));
+                                            let _e892 = select(_e705, _e862, (_e862 > _e705));
+                                            let _e894 = select(_e705, _e864, (_e864 > _e705));
+                                            let _e899 = (_e892 <= select(_e715.member, _e889, (_e889 < _e715.member)));
+                                            let _e900 = (_e894 <= select(_e715.member, _e890, (_e890 < _e715.member)));
+                                            let _e901 = (_e892 <= _e894);
+                                            if _e899 {
+                                                if _e900 {
+                                                    if _e901 {
+                                                        phi_2945_ = _e799.member_2;
                                                     } else {
-                                                        phi_2607_ = _e580.member_1;
+                                                        phi_2945_ = _e799.member_1;
                                                     }
-                                                    let _e686 = phi_2607_;
-                                                    let _e689 = (_e523 % 128u);
-                                                    let _e690 = (_e689 < 128u);
-                                                    if _e690 {
+                                                    let _e905 = phi_2945_;
+                                                    let _e908 = (_e742 % 128u);
+                                                    let _e909 = (_e908 < 128u);
+                                                    if _e909 {
                                                     } else {
-                                                        phi_2905_ = true;
+                                                        phi_3269_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e689] = _e686;
-                                                    if _e690 {
+                                                    local_1[_e908] = _e905;
+                                                    if _e909 {
                                                     } else {
-                                                        phi_2905_ = true;
+                                                        phi_3269_ = true;
                                                         break;
                                                     }
-                                                    local[_e689] = select(_e675, _e673, (_e673 > _e675));
-                                                    if _e682 {
-                                                        phi_2635_ = _e580.member_1;
+                                                    local[_e908] = select(_e894, _e892, (_e892 > _e894));
+                                                    if _e901 {
+                                                        phi_2973_ = _e799.member_1;
                                                     } else {
-                                                        phi_2635_ = _e580.member_2;
+                                                        phi_2973_ = _e799.member_2;
                                                     }
-                                                    let _e697 = phi_2635_;
-                                                    phi_2636_ = _e697;
-                                                    phi_2637_ = (_e523 + 1u);
+                                                    let _e916 = phi_2973_;
+                                                    phi_2974_ = _e916;
+                                                    phi_2975_ = (_e742 + 1u);
                                                 } else {
-                                                    phi_2636_ = u32();
-                                                    phi_2637_ = u32();
+                                                    phi_2974_ = u32();
+                                                    phi_2975_ = u32();
                                                 }
-                                                let _e699 = phi_2636_;
-                                                let _e701 = phi_2637_;
-                                                phi_2639_ = _e699;
-                                                phi_2640_ = _e701;
-                                                phi_2641_ = select(true, false, _e681);
+                                                let _e918 = phi_2974_;
+                                                let _e920 = phi_2975_;
+                                                phi_2977_ = _e918;
+                                                phi_2978_ = _e920;
+                                                phi_2979_ = select(true, false, _e900);
                                             } else {
-                                                phi_2639_ = u32();
-                                                phi_2640_ = u32();
-                                                phi_2641_ = true;
+                                                phi_2977_ = u32();
+                                                phi_2978_ = u32();
+                                                phi_2979_ = true;
                                             }
-                                            let _e704 = phi_2639_;
-                                            let _e706 = phi_2640_;
-                                            let _e708 = phi_2641_;
-                                            if _e708 {
-                                                if _e680 {
-                                                    phi_2650_ = _e580.member_1;
+                                            let _e923 = phi_2977_;
+                                            let _e925 = phi_2978_;
+                                            let _e927 = phi_2979_;
+                                            if _e927 {
+                                                if _e899 {
+                                                    phi_2988_ = _e799.member_1;
                                                 } else {
-                                                    phi_2650_ = _e580.member_2;
+                                                    phi_2988_ = _e799.member_2;
                                                 }
-                                                let _e712 = phi_2650_;
-                                                phi_2655_ = _e712;
-                                                phi_2656_ = select(_e681, true, _e680);
+                                                let _e931 = phi_2988_;
+                                                phi_2993_ = _e931;
+                                                phi_2994_ = select(_e900, true, _e899);
                                             } else {
-                                                phi_2655_ = _e704;
-                                                phi_2656_ = _e521;
+                                                phi_2993_ = _e923;
+                                                phi_2994_ = _e740;
                                             }
-                                            let _e715 = phi_2655_;
-                                            let _e717 = phi_2656_;
-                                            phi_2909_ = _e494;
-                                            phi_2658_ = _e496;
-                                            phi_2659_ = _e715;
-                                            phi_2660_ = _e717;
-                                            phi_2661_ = select(_e706, _e523, _e708);
+                                            let _e934 = phi_2993_;
+                                            let _e936 = phi_2994_;
+                                            phi_3273_ = _e713;
+                                            phi_2996_ = _e715;
+                                            phi_2997_ = _e934;
+                                            phi_2998_ = _e936;
+                                            phi_2999_ = select(_e925, _e742, _e927);
                                         }
-                                        let _e1529 = phi_2909_;
-                                        let _e1531 = phi_2658_;
-                                        let _e1533 = phi_2659_;
-                                        let _e1535 = phi_2660_;
-                                        let _e1537 = phi_2661_;
-                                        phi_2908_ = _e1529;
-                                        phi_2662_ = _e1531;
-                                        phi_2663_ = _e1533;
-                                        phi_2664_ = (_e500 - 1u);
-                                        phi_2665_ = _e1535;
-                                        phi_2666_ = _e1537;
+                                        let _e1748 = phi_3273_;
+                                        let _e1750 = phi_2996_;
+                                        let _e1752 = phi_2997_;
+                                        let _e1754 = phi_2998_;
+                                        let _e1756 = phi_2999_;
+                                        phi_3272_ = _e1748;
+                                        phi_3000_ = _e1750;
+                                        phi_3001_ = _e1752;
+                                        phi_3002_ = (_e719 - 1u);
+                                        phi_3003_ = _e1754;
+                                        phi_3004_ = _e1756;
                                     } else {
-                                        phi_2908_ = _e494;
-                                        phi_2662_ = _e496;
-                                        phi_2663_ = _e519;
-                                        phi_2664_ = _e500;
-                                        phi_2665_ = _e521;
-                                        phi_2666_ = _e523;
+                                        phi_3272_ = _e713;
+                                        phi_3000_ = _e715;
+                                        phi_3001_ = _e738;
+                                        phi_3002_ = _e719;
+                                        phi_3003_ = _e740;
+                                        phi_3004_ = _e742;
                                     }
-                                    let _e1539 = phi_2908_;
-                                    let _e1541 = phi_2662_;
-                                    let _e1543 = phi_2663_;
-                                    let _e1545 = phi_2664_;
-                                    let _e1547 = phi_2665_;
-                                    let _e1549 = phi_2666_;
-                                    phi_2907_ = _e1539;
-                                    phi_2667_ = _e1541;
-                                    phi_2668_ = _e1543;
-                                    phi_2669_ = _e1545;
-                                    phi_2670_ = _e1547;
-                                    phi_2671_ = _e1549;
+                                    let _e1758 = phi_3272_;
+                                    let _e1760 = phi_3000_;
+                                    let _e1762 = phi_3001_;
+                                    let _e1764 = phi_3002_;
+                                    let _e1766 = phi_3003_;
+                                    let _e1768 = phi_3004_;
+                                    phi_3271_ = _e1758;
+                                    phi_3005_ = _e1760;
+                                    phi_3006_ = _e1762;
+                                    phi_3007_ = _e1764;
+                                    phi_3008_ = _e1766;
+                                    phi_3009_ = _e1768;
                                 } else {
-                                    phi_2907_ = _e494;
-                                    phi_2667_ = type_55();
-                                    phi_2668_ = u32();
-                                    phi_2669_ = u32();
-                                    phi_2670_ = bool();
-                                    phi_2671_ = u32();
+                                    phi_3271_ = _e713;
+                                    phi_3005_ = type_55();
+                                    phi_3006_ = u32();
+                                    phi_3007_ = u32();
+                                    phi_3008_ = bool();
+                                    phi_3009_ = u32();
                                 }
-                                let _e1551 = phi_2907_;
-                                let _e1553 = phi_2667_;
-                                let _e1555 = phi_2668_;
-                                let _e1557 = phi_2669_;
-                                let _e1559 = phi_2670_;
-                                let _e1561 = phi_2671_;
-                                phi_2906_ = _e1551;
-                                phi_823_ = _e1553;
-                                phi_826_ = _e1555;
-                                phi_828_ = _e1557;
-                                phi_830_ = _e1559;
-                                phi_832_ = _e1561;
-                                phi_2672_ = _e508;
+                                let _e1770 = phi_3271_;
+                                let _e1772 = phi_3005_;
+                                let _e1774 = phi_3006_;
+                                let _e1776 = phi_3007_;
+                                let _e1778 = phi_3008_;
+                                let _e1780 = phi_3009_;
+                                phi_3270_ = _e1770;
+                                phi_1161_ = _e1772;
+                                phi_1164_ = _e1774;
+                                phi_1166_ = _e1776;
+                                phi_1168_ = _e1778;
+                                phi_1170_ = _e1780;
+                                phi_3010_ = _e727;
                             } else {
-                                phi_2906_ = _e494;
-                                phi_823_ = type_55();
-                                phi_826_ = u32();
-                                phi_828_ = u32();
-                                phi_830_ = bool();
-                                phi_832_ = u32();
-                                phi_2672_ = false;
+                                phi_3270_ = _e713;
+                                phi_1161_ = type_55();
+                                phi_1164_ = u32();
+                                phi_1166_ = u32();
+                                phi_1168_ = bool();
+                                phi_1170_ = u32();
+                                phi_3010_ = false;
                             }
-                            let _e1563 = phi_2906_;
-                            let _e1565 = phi_823_;
-                            let _e1567 = phi_826_;
-                            let _e1569 = phi_828_;
-                            let _e1571 = phi_830_;
-                            let _e1573 = phi_832_;
-                            let _e1575 = phi_2672_;
+                            let _e1782 = phi_3270_;
+                            let _e1784 = phi_1161_;
+                            let _e1786 = phi_1164_;
+                            let _e1788 = phi_1166_;
+                            let _e1790 = phi_1168_;
+                            let _e1792 = phi_1170_;
+                            let _e1794 = phi_3010_;
                             continue;
                             continuing {
-                                phi_2745_ = _e1563;
-                                phi_822_ = _e1565;
-                                phi_825_ = _e1567;
-                                phi_827_ = _e1569;
-                                phi_829_ = _e1571;
-                                phi_831_ = _e1573;
-                                phi_2905_ = _e1563;
-                                break if !(_e1575);
+                                phi_3083_ = _e1782;
+                                phi_1160_ = _e1784;
+                                phi_1163_ = _e1786;
+                                phi_1165_ = _e1788;
+                                phi_1167_ = _e1790;
+                                phi_1169_ = _e1792;
+                                phi_3269_ = _e1782;
+                                break if !(_e1794);
                             }
                         }
-                        let _e1578 = phi_2905_;
-                        if _e1578 {
+                        let _e1797 = phi_3269_;
+                        if _e1797 {
                             break;
                         }
-                        let _e1580 = local_3;
-                        if _e1580.member_1 {
+                        let _e1799 = local_3;
+                        if _e1799.member_1 {
                         } else {
-                            if _e176 {
+                            if _e240 {
                             } else {
                                 break;
                             }
-                            let _e1584 = global_9.member[_e96];
-                            if _e97 {
+                            let _e1803 = global_9.member[_e100];
+                            if _e101 {
                             } else {
                                 break;
                             }
-                            let _e1588 = global_8.member[_e96].member_1;
-                            if _e176 {
+                            let _e1807 = global_8.member[_e100].member_1;
+                            if _e240 {
                             } else {
                                 break;
                             }
-                            global_9.member[_e96] = type_30(_e1584.member, _e1584.member_1, _e1584.member_2, array<f32, 3>((_e1584.member_3[0] + (_e1588[0] * _e1584.member_1[0])), (_e1584.member_3[1] + (_e1588[1] * _e1584.member_1[1])), (_e1584.member_3[2] + (_e1588[2] * _e1584.member_1[2]))), _e1584.member_4);
+                            global_9.member[_e100] = type_30(_e1803.member, _e1803.member_1, _e1803.member_2, array<f32, 3>((_e1803.member_3[0] + (_e1807[0] * _e1803.member_1[0])), (_e1803.member_3[1] + (_e1807[1] * _e1803.member_1[1])), (_e1803.member_3[2] + (_e1807[2] * _e1803.member_1[2]))), _e1803.member_4);
                         }
                     }
                 }

@@ -134,451 +134,522 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_277_: u32;
-    var phi_321_: i32;
-    var phi_345_: type_36;
-    var phi_495_: i32;
-    var phi_496_: i32;
-    var phi_506_: bool;
-    var phi_516_: u32;
-    var phi_517_: u32;
-    var phi_519_: bool;
-    var phi_524_: u32;
-    var phi_556_: i32;
-    var phi_574_: f32;
-    var phi_580_: f32;
-    var phi_591_: f32;
-    var phi_597_: f32;
-    var phi_620_: f32;
-    var phi_631_: f32;
-    var phi_640_: f32;
-    var phi_646_: f32;
-    var phi_657_: f32;
-    var phi_663_: f32;
-    var phi_686_: f32;
-    var phi_697_: f32;
-    var phi_706_: f32;
-    var phi_712_: f32;
-    var phi_723_: f32;
-    var phi_729_: f32;
-    var phi_752_: f32;
-    var phi_763_: f32;
-    var phi_863_: f32;
-    var phi_864_: f32;
-    var phi_3591_: bool;
-    var phi_937_: type_40;
-    var phi_940_: type_62;
-    var phi_942_: u32;
-    var phi_944_: bool;
-    var phi_946_: u32;
-    var phi_957_: bool;
-    var phi_1043_: type_62;
-    var phi_1044_: bool;
-    var phi_1045_: u32;
-    var phi_2549_: type_49;
-    var phi_3381_: type_62;
-    var phi_3458_: type_62;
-    var phi_3459_: type_62;
-    var phi_3460_: u32;
-    var phi_3462_: type_62;
-    var phi_3463_: u32;
-    var phi_3464_: bool;
-    var phi_3471_: type_62;
-    var phi_3476_: type_62;
-    var phi_3477_: bool;
-    var phi_1064_: type_40;
-    var phi_1067_: type_8;
-    var phi_1068_: type_8;
-    var phi_1090_: type_8;
-    var phi_1115_: u32;
-    var phi_1131_: type_56;
-    var phi_1507_: bool;
-    var phi_1536_: bool;
-    var phi_1913_: f32;
-    var phi_1914_: f32;
-    var phi_1915_: f32;
-    var phi_1916_: f32;
-    var phi_1917_: vec3<f32>;
-    var phi_1918_: vec3<f32>;
-    var phi_1919_: vec3<f32>;
-    var phi_1920_: vec3<f32>;
-    var phi_1951_: bool;
-    var phi_1960_: vec3<f32>;
-    var phi_2125_: f32;
-    var phi_2127_: f32;
-    var phi_2128_: bool;
-    var phi_2148_: f32;
-    var phi_2149_: f32;
-    var phi_2172_: type_22;
-    var phi_2174_: type_22;
-    var phi_2175_: bool;
-    var phi_2179_: type_22;
-    var phi_2180_: type_22;
-    var phi_2181_: type_22;
-    var phi_2182_: bool;
-    var phi_2186_: type_22;
-    var phi_2187_: bool;
-    var phi_2188_: type_22;
-    var phi_2189_: bool;
-    var phi_2190_: bool;
-    var phi_2191_: type_22;
-    var phi_2192_: bool;
-    var phi_2193_: bool;
-    var phi_2201_: type_22;
-    var phi_2202_: bool;
-    var phi_2206_: type_22;
-    var phi_2229_: u32;
-    var phi_2243_: i32;
-    var phi_2259_: vec3<f32>;
-    var phi_2260_: vec3<f32>;
-    var phi_2272_: vec3<f32>;
+    var phi_279_: u32;
+    var phi_323_: i32;
+    var phi_463_: type_36;
+    var phi_613_: i32;
+    var phi_614_: i32;
+    var phi_624_: bool;
+    var phi_634_: u32;
+    var phi_635_: u32;
+    var phi_637_: bool;
+    var phi_642_: u32;
+    var phi_674_: i32;
+    var phi_692_: f32;
+    var phi_698_: f32;
+    var phi_738_: f32;
+    var phi_744_: f32;
+    var phi_796_: f32;
+    var phi_807_: f32;
+    var phi_816_: f32;
+    var phi_822_: f32;
+    var phi_862_: f32;
+    var phi_868_: f32;
+    var phi_920_: f32;
+    var phi_931_: f32;
+    var phi_940_: f32;
+    var phi_946_: f32;
+    var phi_986_: f32;
+    var phi_992_: f32;
+    var phi_1044_: f32;
+    var phi_1055_: f32;
+    var phi_1110_: i32;
+    var phi_1132_: u32;
+    var phi_1133_: u32;
+    var phi_1170_: i32;
+    var phi_1192_: u32;
+    var phi_1193_: u32;
+    var phi_1201_: f32;
+    var phi_1202_: f32;
+    var phi_3971_: bool;
+    var phi_1275_: type_40;
+    var phi_1278_: type_62;
+    var phi_1280_: u32;
+    var phi_1282_: bool;
+    var phi_1284_: u32;
+    var phi_1295_: bool;
+    var phi_1381_: type_62;
+    var phi_1382_: bool;
+    var phi_1383_: u32;
+    var phi_2905_: type_49;
+    var phi_3761_: type_62;
+    var phi_3838_: type_62;
+    var phi_3839_: type_62;
+    var phi_3840_: u32;
+    var phi_3842_: type_62;
+    var phi_3843_: u32;
+    var phi_3844_: bool;
+    var phi_3851_: type_62;
+    var phi_3856_: type_62;
+    var phi_3857_: bool;
+    var phi_1402_: type_40;
+    var phi_1405_: type_8;
+    var phi_1406_: type_8;
+    var phi_1428_: type_8;
+    var phi_1453_: u32;
+    var phi_1469_: type_56;
+    var phi_1863_: bool;
+    var phi_1892_: bool;
+    var phi_2269_: f32;
+    var phi_2270_: f32;
+    var phi_2271_: f32;
+    var phi_2272_: f32;
     var phi_2273_: vec3<f32>;
-    var phi_2285_: vec3<f32>;
-    var phi_2286_: vec3<f32>;
-    var phi_2322_: vec3<f32>;
+    var phi_2274_: vec3<f32>;
+    var phi_2275_: vec3<f32>;
+    var phi_2276_: vec3<f32>;
+    var phi_2307_: bool;
+    var phi_2316_: vec3<f32>;
+    var phi_2481_: f32;
+    var phi_2483_: f32;
+    var phi_2484_: bool;
     var phi_2504_: f32;
-    var phi_2522_: bool;
-    var phi_2523_: bool;
-    var phi_2528_: type_40;
-    var phi_2529_: type_40;
-    var phi_1065_: type_40;
-    var phi_3585_: bool;
+    var phi_2505_: f32;
+    var phi_2528_: type_22;
+    var phi_2530_: type_22;
+    var phi_2531_: bool;
+    var phi_2535_: type_22;
+    var phi_2536_: type_22;
+    var phi_2537_: type_22;
+    var phi_2538_: bool;
+    var phi_2542_: type_22;
+    var phi_2543_: bool;
+    var phi_2544_: type_22;
+    var phi_2545_: bool;
+    var phi_2546_: bool;
+    var phi_2547_: type_22;
+    var phi_2548_: bool;
+    var phi_2549_: bool;
+    var phi_2557_: type_22;
+    var phi_2558_: bool;
+    var phi_2562_: type_22;
+    var phi_2585_: u32;
+    var phi_2599_: i32;
+    var phi_2615_: vec3<f32>;
+    var phi_2616_: vec3<f32>;
+    var phi_2628_: vec3<f32>;
+    var phi_2629_: vec3<f32>;
+    var phi_2641_: vec3<f32>;
+    var phi_2642_: vec3<f32>;
+    var phi_2678_: vec3<f32>;
+    var phi_2860_: f32;
+    var phi_2878_: bool;
+    var phi_2879_: bool;
+    var phi_2884_: type_40;
+    var phi_2885_: type_40;
+    var phi_1403_: type_40;
+    var phi_3965_: bool;
     var local_10: type_40;
-    var phi_3773_: bool;
-    var phi_3479_: type_40;
-    var phi_3480_: type_62;
-    var phi_3481_: bool;
-    var phi_3482_: u32;
-    var phi_3772_: bool;
-    var phi_3483_: type_40;
-    var phi_3484_: type_62;
-    var phi_3485_: u32;
-    var phi_3486_: bool;
-    var phi_3487_: u32;
-    var phi_3771_: bool;
-    var phi_3488_: type_40;
-    var phi_3489_: type_62;
-    var phi_3490_: u32;
-    var phi_3491_: bool;
-    var phi_3492_: u32;
-    var phi_3770_: bool;
-    var phi_938_: type_40;
-    var phi_941_: type_62;
-    var phi_943_: u32;
-    var phi_945_: bool;
-    var phi_947_: u32;
-    var phi_3493_: bool;
-    var phi_3769_: bool;
+    var phi_4179_: bool;
+    var phi_3859_: type_40;
+    var phi_3860_: type_62;
+    var phi_3861_: bool;
+    var phi_3862_: u32;
+    var phi_4178_: bool;
+    var phi_3863_: type_40;
+    var phi_3864_: type_62;
+    var phi_3865_: u32;
+    var phi_3866_: bool;
+    var phi_3867_: u32;
+    var phi_4177_: bool;
+    var phi_3868_: type_40;
+    var phi_3869_: type_62;
+    var phi_3870_: u32;
+    var phi_3871_: bool;
+    var phi_3872_: u32;
+    var phi_4176_: bool;
+    var phi_1276_: type_40;
+    var phi_1279_: type_62;
+    var phi_1281_: u32;
+    var phi_1283_: bool;
+    var phi_1285_: u32;
+    var phi_3873_: bool;
+    var phi_4175_: bool;
     var local_11: type_40;
     var local_12: type_40;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e86 = global;
-            let _e89 = arrayLength((&global_9.member));
-            let _e104 = arrayLength((&global_7.member));
-            let _e108 = global_4.member[0u][0u];
-            let _e112 = global_4.member[0u][1u];
-            let _e116 = global_4.member[0u][2u];
-            let _e120 = global_4.member[1u][0u];
-            let _e124 = global_4.member[1u][1u];
-            let _e128 = global_4.member[1u][2u];
-            let _e132 = global_4.member[1u][3u];
-            let _e136 = (_e86.x + (_e86.y * 2097152u));
-            let _e143 = (_e136 < arrayLength((&global_8.member)));
-            if _e143 {
-                if _e143 {
+            let _e90 = global;
+            let _e93 = arrayLength((&global_9.member));
+            let _e108 = arrayLength((&global_7.member));
+            let _e112 = global_4.member[0u][0u];
+            let _e116 = global_4.member[0u][1u];
+            let _e120 = global_4.member[0u][2u];
+            let _e124 = global_4.member[1u][0u];
+            let _e128 = global_4.member[1u][1u];
+            let _e132 = global_4.member[1u][2u];
+            let _e136 = global_4.member[1u][3u];
+            let _e140 = (_e90.x + (_e90.y * 2097152u));
+            let _e147 = (_e140 < arrayLength((&global_8.member)));
+            if _e147 {
+                if _e147 {
                 } else {
                     break;
                 }
-                let _e147 = global_8.member[_e136].member_2;
-                phi_277_ = _e147;
+                let _e151 = global_8.member[_e140].member_2;
+                phi_279_ = _e151;
             } else {
-                phi_277_ = 4294967295u;
+                phi_279_ = 4294967295u;
             }
-            let _e149 = phi_277_;
-            let _e152 = global_1.member[0u];
-            let _e156 = global_3.member[0u][0u];
-            let _e160 = global_3.member[0u][1u];
-            let _e164 = global_3.member[0u][2u];
-            let _e168 = global_3.member[0u][3u];
-            let _e172 = global_3.member[1u][0u];
-            let _e176 = global_3.member[1u][1u];
-            let _e180 = global_3.member[1u][2u];
-            let _e184 = global_3.member[1u][3u];
-            let _e185 = bitcast<f32>(_e156);
-            let _e186 = bitcast<f32>(_e160);
-            let _e187 = bitcast<f32>(_e164);
-            let _e189 = bitcast<f32>(_e172);
-            let _e190 = array<u32, 3>(_e176, _e180, _e184);
-            let _e192 = bitcast<i32>(_e152);
-            if (_e192 < -126i) {
-                phi_321_ = -126i;
+            let _e153 = phi_279_;
+            let _e156 = global_1.member[0u];
+            let _e160 = global_3.member[0u][0u];
+            let _e164 = global_3.member[0u][1u];
+            let _e168 = global_3.member[0u][2u];
+            let _e172 = global_3.member[0u][3u];
+            let _e176 = global_3.member[1u][0u];
+            let _e180 = global_3.member[1u][1u];
+            let _e184 = global_3.member[1u][2u];
+            let _e188 = global_3.member[1u][3u];
+            let _e189 = bitcast<f32>(_e160);
+            let _e190 = bitcast<f32>(_e164);
+            let _e191 = bitcast<f32>(_e168);
+            let _e193 = bitcast<f32>(_e176);
+            let _e194 = array<u32, 3>(_e180, _e184, _e188);
+            let _e196 = bitcast<i32>(_e156);
+            if (_e196 < -126i) {
+                phi_323_ = -126i;
             } else {
-                phi_321_ = select(_e192, 127i, (_e192 > 127i));
+                phi_323_ = select(_e196, 127i, (_e196 > 127i));
             }
-            let _e197 = phi_321_;
-            let _e202 = bitcast<f32>((bitcast<u32>((_e197 + 127i)) << bitcast<u32>(23i)));
-            let _e208 = bitcast<f32>((bitcast<u32>(((_e192 - _e197) + 127i)) << bitcast<u32>(23i)));
-            if (_e168 == 0u) {
-                phi_345_ = type_36(array<f32, 3>(_e185, _e186, _e187), _e168, _e189, _e190);
+            let _e201 = phi_323_;
+            let _e206 = bitcast<f32>((bitcast<u32>((_e201 + 127i)) << bitcast<u32>(23i)));
+            let _e212 = bitcast<f32>((bitcast<u32>(((_e196 - _e201) + 127i)) << bitcast<u32>(23i)));
+            if (_e172 == 0u) {
+                phi_463_ = type_36(array<f32, 3>(_e189, _e190, _e191), _e172, _e193, _e194);
             } else {
-                phi_345_ = type_36(array<f32, 3>(((_e185 * _e202) * _e208), ((_e186 * _e202) * _e208), ((_e187 * _e202) * _e208)), _e168, ((_e189 * _e202) * _e208), _e190);
+                let _e214 = bitcast<u32>(_e189);
+                let _e216 = ((_e214 & 2139095040u) != 0u);
+                let _e231 = bitcast<u32>(_e190);
+                let _e233 = ((_e231 & 2139095040u) != 0u);
+                let _e248 = bitcast<u32>(_e191);
+                let _e250 = ((_e248 & 2139095040u) != 0u);
+                let _e266 = bitcast<u32>(_e193);
+                let _e268 = ((_e266 & 2139095040u) != 0u);
+                phi_463_ = type_36(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e214 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e214 & 2147483648u))), _e189, _e216) * _e206) * select(0.00000011920929f, 1f, _e216)) * _e212), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e231 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e231 & 2147483648u))), _e190, _e233) * _e206) * select(0.00000011920929f, 1f, _e233)) * _e212), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e248 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e248 & 2147483648u))), _e191, _e250) * _e206) * select(0.00000011920929f, 1f, _e250)) * _e212)), _e172, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e266 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e266 & 2147483648u))), _e193, _e268) * _e206) * select(0.00000011920929f, 1f, _e268)) * _e212), _e194);
             }
-            let _e221 = phi_345_;
-            if _e143 {
-                let _e222 = (_e136 < arrayLength((&global_2.member)));
-                if _e222 {
-                    if _e143 {
+            let _e285 = phi_463_;
+            if _e147 {
+                let _e286 = (_e140 < arrayLength((&global_2.member)));
+                if _e286 {
+                    if _e147 {
                     } else {
                         break;
                     }
-                    let _e227 = global_8.member[_e136].member.member_1;
-                    let _e232 = global_8.member[_e136].member.member_3;
-                    if (_e227 <= _e232) {
-                        let _e234 = (1u < _e104);
-                        if _e234 {
-                            if (0u < _e104) {
+                    let _e291 = global_8.member[_e140].member.member_1;
+                    let _e296 = global_8.member[_e140].member.member_3;
+                    if (_e291 <= _e296) {
+                        let _e298 = (1u < _e108);
+                        if _e298 {
+                            if (0u < _e108) {
                             } else {
                                 break;
                             }
-                            let _e238 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e238 + 1u) < _e238) {
-                                if _e234 {
+                            let _e302 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e302 + 1u) < _e302) {
+                                if _e298 {
                                 } else {
                                     break;
                                 }
-                                let _e243 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e307 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        if _e143 {
+                        if _e147 {
                         } else {
                             break;
                         }
-                        let _e253 = global_8.member[_e136].member.member_2[0u];
-                        let _e255 = (bitcast<u32>(_e253) & 2147483647u);
-                        let _e261 = global_8.member[_e136].member.member_2[1u];
-                        let _e263 = (bitcast<u32>(_e261) & 2147483647u);
-                        let _e269 = global_8.member[_e136].member.member_2[2u];
-                        let _e271 = (bitcast<u32>(_e269) & 2147483647u);
-                        let _e277 = global_8.member[_e136].member.member[0u];
-                        let _e279 = (bitcast<u32>(_e277) & 2147483647u);
-                        let _e285 = global_8.member[_e136].member.member[1u];
-                        let _e287 = (bitcast<u32>(_e285) & 2147483647u);
-                        let _e293 = global_8.member[_e136].member.member[2u];
-                        let _e295 = (bitcast<u32>(_e293) & 2147483647u);
-                        let _e297 = select(_e263, _e255, (_e263 < _e255));
-                        let _e299 = select(_e271, _e297, (_e271 < _e297));
-                        let _e301 = select(_e279, _e299, (_e279 < _e299));
-                        let _e303 = select(_e287, _e301, (_e287 < _e301));
-                        let _e305 = select(_e295, _e303, (_e295 < _e303));
-                        let _e307 = (bitcast<u32>(_e227) & 2147483647u);
-                        let _e316 = (((select(_e307, _e305, (_e307 < _e305)) < 2139095040u) && ((bitcast<u32>(_e232) & 2147483647u) <= 2139095040u)) && (_e299 > 0u));
-                        if _e316 {
-                            let _e319 = (bitcast<u32>(bitcast<f32>(_e299)) & 2147483647u);
-                            if (_e319 >= 8388608u) {
-                                phi_495_ = (bitcast<i32>((_e319 >> bitcast<u32>(23i))) - 127i);
+                        let _e317 = global_8.member[_e140].member.member_2[0u];
+                        let _e319 = (bitcast<u32>(_e317) & 2147483647u);
+                        let _e325 = global_8.member[_e140].member.member_2[1u];
+                        let _e327 = (bitcast<u32>(_e325) & 2147483647u);
+                        let _e333 = global_8.member[_e140].member.member_2[2u];
+                        let _e335 = (bitcast<u32>(_e333) & 2147483647u);
+                        let _e341 = global_8.member[_e140].member.member[0u];
+                        let _e343 = (bitcast<u32>(_e341) & 2147483647u);
+                        let _e349 = global_8.member[_e140].member.member[1u];
+                        let _e351 = (bitcast<u32>(_e349) & 2147483647u);
+                        let _e357 = global_8.member[_e140].member.member[2u];
+                        let _e359 = (bitcast<u32>(_e357) & 2147483647u);
+                        let _e361 = select(_e327, _e319, (_e327 < _e319));
+                        let _e363 = select(_e335, _e361, (_e335 < _e361));
+                        let _e365 = select(_e343, _e363, (_e343 < _e363));
+                        let _e367 = select(_e351, _e365, (_e351 < _e365));
+                        let _e369 = select(_e359, _e367, (_e359 < _e367));
+                        let _e370 = bitcast<u32>(_e291);
+                        let _e371 = (_e370 & 2147483647u);
+                        let _e375 = bitcast<u32>(_e296);
+                        let _e376 = (_e375 & 2147483647u);
+                        let _e380 = (((select(_e371, _e369, (_e371 < _e369)) < 2139095040u) && (_e376 <= 2139095040u)) && (_e363 > 0u));
+                        if _e380 {
+                            let _e383 = (bitcast<u32>(bitcast<f32>(_e363)) & 2147483647u);
+                            if (_e383 >= 8388608u) {
+                                phi_613_ = (bitcast<i32>((_e383 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_495_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e319)), 32u, (_e319 == 0u))));
+                                phi_613_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e383)), 32u, (_e383 == 0u))));
                             }
-                            let _e333 = phi_495_;
-                            phi_496_ = _e333;
+                            let _e397 = phi_613_;
+                            phi_614_ = _e397;
                         } else {
-                            phi_496_ = 0i;
+                            phi_614_ = 0i;
                         }
-                        let _e335 = phi_496_;
-                        let _e336 = (_e255 == _e299);
-                        if _e336 {
-                            phi_506_ = true;
-                        } else {
-                            phi_506_ = (_e263 == _e299);
-                        }
-                        let _e339 = phi_506_;
-                        let _e340 = select(1u, 0u, _e336);
-                        if _e339 {
-                            let _e341 = (_e340 + 1u);
-                            phi_516_ = _e341;
-                            phi_517_ = _e341;
-                            phi_519_ = select(true, false, (_e341 == 2u));
-                        } else {
-                            phi_516_ = u32();
-                            phi_517_ = 0u;
-                            phi_519_ = true;
-                        }
-                        let _e345 = phi_516_;
-                        let _e347 = phi_517_;
-                        let _e349 = phi_519_;
-                        if _e349 {
-                            phi_524_ = (_e347 + 1u);
-                        } else {
-                            phi_524_ = 0u;
-                        }
-                        let _e353 = phi_524_;
-                        let _e354 = select(_e345, _e347, _e349);
-                        let _e355 = select(_e340, select(2u, _e340, _e339), _e349);
-                        let _e356 = -(_e335);
-                        if (_e356 < -126i) {
-                            phi_556_ = -126i;
-                        } else {
-                            phi_556_ = select(_e356, 127i, (_e356 > 127i));
-                        }
-                        let _e361 = phi_556_;
-                        let _e366 = bitcast<f32>((bitcast<u32>((_e361 + 127i)) << bitcast<u32>(23i)));
-                        let _e372 = bitcast<f32>((bitcast<u32>(((_e356 - _e361) + 127i)) << bitcast<u32>(23i)));
-                        let _e377 = global_8.member[_e136].member.member;
-                        let _e378 = (_e354 == 0u);
-                        if _e378 {
-                            phi_574_ = _e377[0];
-                        } else {
-                            phi_574_ = _e377[1];
-                        }
-                        let _e382 = phi_574_;
-                        let _e383 = (_e354 == 2u);
-                        if _e383 {
-                            phi_580_ = _e377[2];
-                        } else {
-                            phi_580_ = _e382;
-                        }
-                        let _e386 = phi_580_;
-                        let _e387 = global_8.member[_e136].member.member_2;
-                        if _e378 {
-                            phi_591_ = _e387[0];
-                        } else {
-                            phi_591_ = _e387[1];
-                        }
-                        let _e391 = phi_591_;
-                        if _e383 {
-                            phi_597_ = _e387[2];
-                        } else {
-                            phi_597_ = _e391;
-                        }
-                        let _e394 = phi_597_;
-                        let _e396 = ((_e394 * _e366) * _e372);
-                        let _e400 = (bitcast<f32>((bitcast<u32>(_e396) & 2147483647u)) < 0.00000000000000000086736174f);
+                        let _e399 = phi_614_;
+                        let _e400 = (_e319 == _e363);
                         if _e400 {
-                            let _e404 = (bitcast<f32>((bitcast<u32>(_e386) & 2147483647u)) * 0.00000011920929f);
-                            phi_620_ = select(0.00000000000011368684f, _e404, (_e404 > 0.00000000000011368684f));
+                            phi_624_ = true;
                         } else {
-                            phi_620_ = 0f;
+                            phi_624_ = (_e327 == _e363);
                         }
-                        let _e408 = phi_620_;
-                        let _e409 = (_e386 + _e408);
-                        let _e410 = (_e386 - _e408);
-                        let _e411 = select(_e396, 0f, _e400);
-                        if _e400 {
-                            phi_631_ = 38685626000000000000000000f;
+                        let _e403 = phi_624_;
+                        let _e404 = select(1u, 0u, _e400);
+                        if _e403 {
+                            let _e405 = (_e404 + 1u);
+                            phi_634_ = _e405;
+                            phi_635_ = _e405;
+                            phi_637_ = select(true, false, (_e405 == 2u));
                         } else {
-                            phi_631_ = (1f / _e396);
+                            phi_634_ = u32();
+                            phi_635_ = 0u;
+                            phi_637_ = true;
                         }
-                        let _e414 = phi_631_;
-                        let _e415 = (_e353 == 0u);
-                        if _e415 {
-                            phi_640_ = _e377[0];
+                        let _e409 = phi_634_;
+                        let _e411 = phi_635_;
+                        let _e413 = phi_637_;
+                        if _e413 {
+                            phi_642_ = (_e411 + 1u);
                         } else {
-                            phi_640_ = _e377[1];
+                            phi_642_ = 0u;
                         }
-                        let _e419 = phi_640_;
-                        let _e420 = (_e353 == 2u);
-                        if _e420 {
-                            phi_646_ = _e377[2];
+                        let _e417 = phi_642_;
+                        let _e418 = select(_e409, _e411, _e413);
+                        let _e419 = select(_e404, select(2u, _e404, _e403), _e413);
+                        let _e420 = -(_e399);
+                        if (_e420 < -126i) {
+                            phi_674_ = -126i;
                         } else {
-                            phi_646_ = _e419;
+                            phi_674_ = select(_e420, 127i, (_e420 > 127i));
                         }
-                        let _e423 = phi_646_;
-                        if _e415 {
-                            phi_657_ = _e387[0];
+                        let _e425 = phi_674_;
+                        let _e430 = bitcast<f32>((bitcast<u32>((_e425 + 127i)) << bitcast<u32>(23i)));
+                        let _e436 = bitcast<f32>((bitcast<u32>(((_e420 - _e425) + 127i)) << bitcast<u32>(23i)));
+                        let _e441 = global_8.member[_e140].member.member;
+                        let _e442 = (_e418 == 0u);
+                        if _e442 {
+                            phi_692_ = _e441[0];
                         } else {
-                            phi_657_ = _e387[1];
+                            phi_692_ = _e441[1];
                         }
-                        let _e427 = phi_657_;
-                        if _e420 {
-                            phi_663_ = _e387[2];
+                        let _e446 = phi_692_;
+                        let _e447 = (_e418 == 2u);
+                        if _e447 {
+                            phi_698_ = _e441[2];
                         } else {
-                            phi_663_ = _e427;
+                            phi_698_ = _e446;
                         }
-                        let _e430 = phi_663_;
-                        let _e432 = ((_e430 * _e366) * _e372);
-                        let _e436 = (bitcast<f32>((bitcast<u32>(_e432) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e436 {
-                            let _e440 = (bitcast<f32>((bitcast<u32>(_e423) & 2147483647u)) * 0.00000011920929f);
-                            phi_686_ = select(0.00000000000011368684f, _e440, (_e440 > 0.00000000000011368684f));
+                        let _e450 = phi_698_;
+                        let _e451 = bitcast<u32>(_e450);
+                        let _e453 = ((_e451 & 2139095040u) != 0u);
+                        let _e465 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e451 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e451 & 2147483648u))), _e450, _e453) * select(0.00000011920929f, 1f, _e453));
+                        let _e466 = global_8.member[_e140].member.member_2;
+                        if _e442 {
+                            phi_738_ = _e466[0];
                         } else {
-                            phi_686_ = 0f;
+                            phi_738_ = _e466[1];
                         }
-                        let _e444 = phi_686_;
-                        let _e445 = (_e423 + _e444);
-                        let _e446 = (_e423 - _e444);
-                        let _e447 = select(_e432, 0f, _e436);
-                        if _e436 {
-                            phi_697_ = 38685626000000000000000000f;
+                        let _e470 = phi_738_;
+                        if _e447 {
+                            phi_744_ = _e466[2];
                         } else {
-                            phi_697_ = (1f / _e432);
+                            phi_744_ = _e470;
                         }
-                        let _e450 = phi_697_;
-                        let _e451 = (_e355 == 0u);
-                        if _e451 {
-                            phi_706_ = _e377[0];
+                        let _e473 = phi_744_;
+                        let _e474 = bitcast<u32>(_e473);
+                        let _e476 = ((_e474 & 2139095040u) != 0u);
+                        let _e490 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e474 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e474 & 2147483648u))), _e473, _e476) * _e430) * select(0.00000011920929f, 1f, _e476)) * _e436);
+                        let _e494 = (bitcast<f32>((bitcast<u32>(_e490) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e494 {
+                            let _e498 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) * 0.00000011920929f);
+                            phi_796_ = select(0.00000000000011368684f, _e498, (_e498 > 0.00000000000011368684f));
                         } else {
-                            phi_706_ = _e377[1];
+                            phi_796_ = 0f;
                         }
-                        let _e455 = phi_706_;
-                        let _e456 = (_e355 == 2u);
-                        if _e456 {
-                            phi_712_ = _e377[2];
+                        let _e502 = phi_796_;
+                        let _e503 = (_e465 + _e502);
+                        let _e504 = (_e465 - _e502);
+                        let _e505 = select(_e490, 0f, _e494);
+                        if _e494 {
+                            phi_807_ = 38685626000000000000000000f;
                         } else {
-                            phi_712_ = _e455;
+                            phi_807_ = (1f / _e490);
                         }
-                        let _e459 = phi_712_;
-                        if _e451 {
-                            phi_723_ = _e387[0];
+                        let _e508 = phi_807_;
+                        let _e509 = (_e417 == 0u);
+                        if _e509 {
+                            phi_816_ = _e441[0];
                         } else {
-                            phi_723_ = _e387[1];
+                            phi_816_ = _e441[1];
                         }
-                        let _e463 = phi_723_;
-                        if _e456 {
-                            phi_729_ = _e387[2];
+                        let _e513 = phi_816_;
+                        let _e514 = (_e417 == 2u);
+                        if _e514 {
+                            phi_822_ = _e441[2];
                         } else {
-                            phi_729_ = _e463;
+                            phi_822_ = _e513;
                         }
-                        let _e466 = phi_729_;
-                        let _e468 = ((_e466 * _e366) * _e372);
-                        let _e472 = (bitcast<f32>((bitcast<u32>(_e468) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e472 {
-                            let _e476 = (bitcast<f32>((bitcast<u32>(_e459) & 2147483647u)) * 0.00000011920929f);
-                            phi_752_ = select(0.00000000000011368684f, _e476, (_e476 > 0.00000000000011368684f));
+                        let _e517 = phi_822_;
+                        let _e518 = bitcast<u32>(_e517);
+                        let _e520 = ((_e518 & 2139095040u) != 0u);
+                        let _e532 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e518 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e518 & 2147483648u))), _e517, _e520) * select(0.00000011920929f, 1f, _e520));
+                        if _e509 {
+                            phi_862_ = _e466[0];
                         } else {
-                            phi_752_ = 0f;
+                            phi_862_ = _e466[1];
                         }
-                        let _e480 = phi_752_;
-                        let _e481 = (_e459 + _e480);
-                        let _e482 = (_e459 - _e480);
-                        let _e483 = select(_e468, 0f, _e472);
-                        if _e472 {
-                            phi_763_ = 38685626000000000000000000f;
+                        let _e536 = phi_862_;
+                        if _e514 {
+                            phi_868_ = _e466[2];
                         } else {
-                            phi_763_ = (1f / _e468);
+                            phi_868_ = _e536;
                         }
-                        let _e486 = phi_763_;
-                        let _e489 = bitcast<f32>((bitcast<u32>(_e386) & 2147483647u));
-                        let _e492 = bitcast<f32>((bitcast<u32>(_e423) & 2147483647u));
-                        let _e494 = select(_e492, _e489, (_e489 > _e492));
-                        let _e497 = bitcast<f32>((bitcast<u32>(_e459) & 2147483647u));
-                        if (_e316 && (select(_e497, _e494, (_e494 > _e497)) <= 1099511600000f)) {
-                            let _e502 = (_e335 / 3i);
-                            let _e509 = bitcast<f32>((bitcast<u32>((_e502 + 127i)) << bitcast<u32>(23i)));
-                            let _e516 = bitcast<f32>((bitcast<u32>(((_e335 - (2i * _e502)) + 127i)) << bitcast<u32>(23i)));
-                            let _e517 = (((_e227 * _e509) * _e509) * _e516);
-                            let _e519 = select(340282350000000000000000000000000000000f, _e517, (_e517 < 340282350000000000000000000000000000000f));
-                            let _e524 = (((_e232 * _e509) * _e509) * _e516);
-                            let _e526 = select(340282350000000000000000000000000000000f, _e524, (_e524 < 340282350000000000000000000000000000000f));
-                            phi_863_ = select(-340282350000000000000000000000000000000f, _e526, (_e526 > -340282350000000000000000000000000000000f));
-                            phi_864_ = select(-340282350000000000000000000000000000000f, _e519, (_e519 > -340282350000000000000000000000000000000f));
+                        let _e539 = phi_868_;
+                        let _e540 = bitcast<u32>(_e539);
+                        let _e542 = ((_e540 & 2139095040u) != 0u);
+                        let _e556 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e540 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e540 & 2147483648u))), _e539, _e542) * _e430) * select(0.00000011920929f, 1f, _e542)) * _e436);
+                        let _e560 = (bitcast<f32>((bitcast<u32>(_e556) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e560 {
+                            let _e564 = (bitcast<f32>((bitcast<u32>(_e532) & 2147483647u)) * 0.00000011920929f);
+                            phi_920_ = select(0.00000000000011368684f, _e564, (_e564 > 0.00000000000011368684f));
                         } else {
-                            phi_863_ = 0f;
-                            phi_864_ = 1f;
+                            phi_920_ = 0f;
                         }
-                        let _e530 = phi_863_;
-                        let _e532 = phi_864_;
+                        let _e568 = phi_920_;
+                        let _e569 = (_e532 + _e568);
+                        let _e570 = (_e532 - _e568);
+                        let _e571 = select(_e556, 0f, _e560);
+                        if _e560 {
+                            phi_931_ = 38685626000000000000000000f;
+                        } else {
+                            phi_931_ = (1f / _e556);
+                        }
+                        let _e574 = phi_931_;
+                        let _e575 = (_e419 == 0u);
+                        if _e575 {
+                            phi_940_ = _e441[0];
+                        } else {
+                            phi_940_ = _e441[1];
+                        }
+                        let _e579 = phi_940_;
+                        let _e580 = (_e419 == 2u);
+                        if _e580 {
+                            phi_946_ = _e441[2];
+                        } else {
+                            phi_946_ = _e579;
+                        }
+                        let _e583 = phi_946_;
+                        let _e584 = bitcast<u32>(_e583);
+                        let _e586 = ((_e584 & 2139095040u) != 0u);
+                        let _e598 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e584 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e584 & 2147483648u))), _e583, _e586) * select(0.00000011920929f, 1f, _e586));
+                        if _e575 {
+                            phi_986_ = _e466[0];
+                        } else {
+                            phi_986_ = _e466[1];
+                        }
+                        let _e602 = phi_986_;
+                        if _e580 {
+                            phi_992_ = _e466[2];
+                        } else {
+                            phi_992_ = _e602;
+                        }
+                        let _e605 = phi_992_;
+                        let _e606 = bitcast<u32>(_e605);
+                        let _e608 = ((_e606 & 2139095040u) != 0u);
+                        let _e622 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e606 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e606 & 2147483648u))), _e605, _e608) * _e430) * select(0.00000011920929f, 1f, _e608)) * _e436);
+                        let _e626 = (bitcast<f32>((bitcast<u32>(_e622) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e626 {
+                            let _e630 = (bitcast<f32>((bitcast<u32>(_e598) & 2147483647u)) * 0.00000011920929f);
+                            phi_1044_ = select(0.00000000000011368684f, _e630, (_e630 > 0.00000000000011368684f));
+                        } else {
+                            phi_1044_ = 0f;
+                        }
+                        let _e634 = phi_1044_;
+                        let _e635 = (_e598 + _e634);
+                        let _e636 = (_e598 - _e634);
+                        let _e637 = select(_e622, 0f, _e626);
+                        if _e626 {
+                            phi_1055_ = 38685626000000000000000000f;
+                        } else {
+                            phi_1055_ = (1f / _e622);
+                        }
+                        let _e640 = phi_1055_;
+                        let _e643 = bitcast<f32>((bitcast<u32>(_e465) & 2147483647u));
+                        let _e646 = bitcast<f32>((bitcast<u32>(_e532) & 2147483647u));
+                        let _e648 = select(_e646, _e643, (_e643 > _e646));
+                        let _e651 = bitcast<f32>((bitcast<u32>(_e598) & 2147483647u));
+                        if (_e380 && (select(_e651, _e648, (_e648 > _e651)) <= 1099511600000f)) {
+                            let _e663 = ((_e371 & 8388607u) | (select(0u, 1u, ((_e371 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e666 = bitcast<i32>((_e371 >> bitcast<u32>(23i)));
+                            let _e670 = (_e663 == 0u);
+                            let _e673 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e663)), 32u, _e670)) - 8i);
+                            if (_e666 == 255i) {
+                                phi_1110_ = 255i;
+                            } else {
+                                phi_1110_ = (((_e666 + select(0i, 1i, (_e666 == 0i))) - _e673) + _e399);
+                            }
+                            let _e681 = phi_1110_;
+                            let _e691 = (_e681 <= 0i);
+                            if _e691 {
+                                phi_1133_ = u32();
+                            } else {
+                                if _e670 {
+                                    phi_1132_ = u32();
+                                } else {
+                                    phi_1132_ = select(((bitcast<u32>(_e681) << bitcast<u32>(23i)) | ((_e663 << bitcast<u32>(((_e673 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e681 >= 255i));
+                                }
+                                let _e695 = phi_1132_;
+                                phi_1133_ = _e695;
+                            }
+                            let _e697 = phi_1133_;
+                            let _e709 = ((_e376 & 8388607u) | (select(0u, 1u, ((_e376 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e712 = bitcast<i32>((_e376 >> bitcast<u32>(23i)));
+                            let _e716 = (_e709 == 0u);
+                            let _e719 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e709)), 32u, _e716)) - 8i);
+                            if (_e712 == 255i) {
+                                phi_1170_ = 255i;
+                            } else {
+                                phi_1170_ = (((_e712 + select(0i, 1i, (_e712 == 0i))) - _e719) + _e399);
+                            }
+                            let _e727 = phi_1170_;
+                            let _e737 = (_e727 <= 0i);
+                            if _e737 {
+                                phi_1193_ = u32();
+                            } else {
+                                if _e716 {
+                                    phi_1192_ = u32();
+                                } else {
+                                    phi_1192_ = select(((bitcast<u32>(_e727) << bitcast<u32>(23i)) | ((_e709 << bitcast<u32>(((_e719 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e727 >= 255i));
+                                }
+                                let _e741 = phi_1192_;
+                                phi_1193_ = _e741;
+                            }
+                            let _e743 = phi_1193_;
+                            phi_1201_ = bitcast<f32>(((_e375 & 2147483648u) | select(_e743, 0u, select(_e716, true, _e737))));
+                            phi_1202_ = bitcast<f32>(((_e370 & 2147483648u) | select(_e697, 0u, select(_e670, true, _e691))));
+                        } else {
+                            phi_1201_ = 0f;
+                            phi_1202_ = 1f;
+                        }
+                        let _e749 = phi_1201_;
+                        let _e751 = phi_1202_;
                         local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -587,948 +658,948 @@ fn function_() {
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        local_9 = array<f32, 3>(bitcast<f32>(_e108), bitcast<f32>(_e112), bitcast<f32>(_e116));
-                        let _e537 = (_e354 % 3u);
-                        let _e538 = (_e537 < 3u);
-                        if _e538 {
+                        local_9 = array<f32, 3>(bitcast<f32>(_e112), bitcast<f32>(_e116), bitcast<f32>(_e120));
+                        let _e756 = (_e418 % 3u);
+                        let _e757 = (_e756 < 3u);
+                        if _e757 {
                         } else {
                             break;
                         }
-                        let _e540 = local_9[_e537];
-                        let _e541 = (_e353 % 3u);
-                        let _e542 = (_e541 < 3u);
-                        if _e542 {
+                        let _e759 = local_9[_e756];
+                        let _e760 = (_e417 % 3u);
+                        let _e761 = (_e760 < 3u);
+                        if _e761 {
                         } else {
                             break;
                         }
-                        let _e544 = local_9[_e541];
-                        let _e545 = (_e355 % 3u);
-                        let _e546 = (_e545 < 3u);
-                        if _e546 {
+                        let _e763 = local_9[_e760];
+                        let _e764 = (_e419 % 3u);
+                        let _e765 = (_e764 < 3u);
+                        if _e765 {
                         } else {
                             break;
                         }
-                        let _e548 = local_9[_e545];
-                        local_8 = array<f32, 3>(bitcast<f32>(_e120), bitcast<f32>(_e124), bitcast<f32>(_e128));
-                        if _e538 {
+                        let _e767 = local_9[_e764];
+                        local_8 = array<f32, 3>(bitcast<f32>(_e124), bitcast<f32>(_e128), bitcast<f32>(_e132));
+                        if _e757 {
                         } else {
                             break;
                         }
-                        let _e552 = local_8[_e537];
-                        if _e542 {
+                        let _e771 = local_8[_e756];
+                        if _e761 {
                         } else {
                             break;
                         }
-                        let _e554 = local_8[_e541];
-                        if _e546 {
+                        let _e773 = local_8[_e760];
+                        if _e765 {
                         } else {
                             break;
                         }
-                        let _e556 = local_8[_e545];
-                        phi_3591_ = false;
-                        phi_937_ = type_40(_e530, false);
-                        phi_940_ = type_62(type_54(array<f32, 3>(_e540, _e544, _e548), array<f32, 3>(_e552, _e554, _e556)), select(0u, 2147483648u, (_e89 == 0u)));
-                        phi_942_ = ((3u * _e89) + 1u);
-                        phi_944_ = (_e532 <= _e530);
-                        phi_946_ = 0u;
+                        let _e775 = local_8[_e764];
+                        phi_3971_ = false;
+                        phi_1275_ = type_40(_e749, false);
+                        phi_1278_ = type_62(type_54(array<f32, 3>(_e759, _e763, _e767), array<f32, 3>(_e771, _e773, _e775)), select(0u, 2147483648u, (_e93 == 0u)));
+                        phi_1280_ = ((3u * _e93) + 1u);
+                        phi_1282_ = (_e751 <= _e749);
+                        phi_1284_ = 0u;
                         loop {
-                            let _e564 = phi_3591_;
-                            let _e566 = phi_937_;
-                            let _e568 = phi_940_;
-                            let _e570 = phi_942_;
-                            let _e572 = phi_944_;
-                            let _e574 = phi_946_;
-                            local_11 = _e566;
-                            if _e572 {
-                                phi_957_ = true;
+                            let _e783 = phi_3971_;
+                            let _e785 = phi_1275_;
+                            let _e787 = phi_1278_;
+                            let _e789 = phi_1280_;
+                            let _e791 = phi_1282_;
+                            let _e793 = phi_1284_;
+                            local_11 = _e785;
+                            if _e791 {
+                                phi_1295_ = true;
                             } else {
-                                phi_957_ = (_e574 > 0u);
+                                phi_1295_ = (_e793 > 0u);
                             }
-                            let _e577 = phi_957_;
-                            if _e577 {
-                                let _e578 = (_e570 > 0u);
-                                if _e578 {
-                                    if _e572 {
-                                        phi_1043_ = _e568;
-                                        phi_1044_ = _e572;
-                                        phi_1045_ = _e574;
+                            let _e796 = phi_1295_;
+                            if _e796 {
+                                let _e797 = (_e789 > 0u);
+                                if _e797 {
+                                    if _e791 {
+                                        phi_1381_ = _e787;
+                                        phi_1382_ = _e791;
+                                        phi_1383_ = _e793;
                                     } else {
-                                        let _e579 = (_e574 - 1u);
-                                        let _e580 = (_e579 % 128u);
-                                        let _e581 = (_e580 < 128u);
-                                        if _e581 {
+                                        let _e798 = (_e793 - 1u);
+                                        let _e799 = (_e798 % 128u);
+                                        let _e800 = (_e799 < 128u);
+                                        if _e800 {
                                         } else {
-                                            phi_3769_ = true;
+                                            phi_4175_ = true;
                                             break;
                                         }
-                                        let _e583 = local_6[_e580];
-                                        if _e581 {
+                                        let _e802 = local_6[_e799];
+                                        if _e800 {
                                         } else {
-                                            phi_3769_ = true;
+                                            phi_4175_ = true;
                                             break;
                                         }
-                                        let _e585 = local_5[_e580];
-                                        if _e581 {
+                                        let _e804 = local_5[_e799];
+                                        if _e800 {
                                         } else {
-                                            phi_3769_ = true;
+                                            phi_4175_ = true;
                                             break;
                                         }
-                                        let _e587 = local_4[_e580];
-                                        if _e581 {
+                                        let _e806 = local_4[_e799];
+                                        if _e800 {
                                         } else {
-                                            phi_3769_ = true;
+                                            phi_4175_ = true;
                                             break;
                                         }
-                                        let _e589 = local_3[_e580];
-                                        if _e581 {
+                                        let _e808 = local_3[_e799];
+                                        if _e800 {
                                         } else {
-                                            phi_3769_ = true;
+                                            phi_4175_ = true;
                                             break;
                                         }
-                                        let _e592 = local_2[_e580];
-                                        if _e581 {
+                                        let _e811 = local_2[_e799];
+                                        if _e800 {
                                         } else {
-                                            phi_3769_ = true;
+                                            phi_4175_ = true;
                                             break;
                                         }
-                                        let _e594 = local_1[_e580];
-                                        if _e581 {
+                                        let _e813 = local_1[_e799];
+                                        if _e800 {
                                         } else {
-                                            phi_3769_ = true;
+                                            phi_4175_ = true;
                                             break;
                                         }
-                                        let _e596 = local[_e580];
-                                        if _e581 {
+                                        let _e815 = local[_e799];
+                                        if _e800 {
                                         } else {
-                                            phi_3769_ = true;
+                                            phi_4175_ = true;
                                             break;
                                         }
-                                        let _e601 = local_7[_e580];
-                                        phi_1043_ = type_62(type_54(array<f32, 3>(_e585, _e587, _e589), array<f32, 3>(_e592, _e594, _e596)), _e583);
-                                        phi_1044_ = (_e601 <= _e566.member);
-                                        phi_1045_ = _e579;
+                                        let _e820 = local_7[_e799];
+                                        phi_1381_ = type_62(type_54(array<f32, 3>(_e804, _e806, _e808), array<f32, 3>(_e811, _e813, _e815)), _e802);
+                                        phi_1382_ = (_e820 <= _e785.member);
+                                        phi_1383_ = _e798;
                                     }
-                                    let _e605 = phi_1043_;
-                                    let _e607 = phi_1044_;
-                                    let _e609 = phi_1045_;
-                                    if _e607 {
-                                        if ((_e605.member_1 & 2147483648u) != 0u) {
-                                            phi_1064_ = _e566;
-                                            phi_1067_ = type_8(0u, ((_e605.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e824 = phi_1381_;
+                                    let _e826 = phi_1382_;
+                                    let _e828 = phi_1383_;
+                                    if _e826 {
+                                        if ((_e824.member_1 & 2147483648u) != 0u) {
+                                            phi_1402_ = _e785;
+                                            phi_1405_ = type_8(0u, ((_e824.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e962 = phi_1064_;
-                                                let _e964 = phi_1067_;
-                                                local_10 = _e962;
-                                                local_12 = _e962;
-                                                if (_e964.member < _e964.member_1) {
-                                                    phi_1068_ = type_8((_e964.member + 1u), _e964.member_1);
-                                                    phi_1090_ = type_8(1u, _e964.member);
+                                                let _e1205 = phi_1402_;
+                                                let _e1207 = phi_1405_;
+                                                local_10 = _e1205;
+                                                local_12 = _e1205;
+                                                if (_e1207.member < _e1207.member_1) {
+                                                    phi_1406_ = type_8((_e1207.member + 1u), _e1207.member_1);
+                                                    phi_1428_ = type_8(1u, _e1207.member);
                                                 } else {
-                                                    phi_1068_ = _e964;
-                                                    phi_1090_ = type_8(0u, type_8().member_1);
+                                                    phi_1406_ = _e1207;
+                                                    phi_1428_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e977 = phi_1068_;
-                                                let _e979 = phi_1090_;
-                                                let _e983 = (bitcast<i32>(_e979.member) != 0i);
-                                                if _e983 {
-                                                    let _e984 = ((_e605.member_1 & 268435455u) + _e979.member_1);
-                                                    let _e985 = (_e984 < arrayLength((&global_10.member)));
-                                                    if _e985 {
-                                                        if _e985 {
+                                                let _e1220 = phi_1406_;
+                                                let _e1222 = phi_1428_;
+                                                let _e1226 = (bitcast<i32>(_e1222.member) != 0i);
+                                                if _e1226 {
+                                                    let _e1227 = ((_e824.member_1 & 268435455u) + _e1222.member_1);
+                                                    let _e1228 = (_e1227 < arrayLength((&global_10.member)));
+                                                    if _e1228 {
+                                                        if _e1228 {
                                                         } else {
-                                                            phi_3585_ = true;
+                                                            phi_3965_ = true;
                                                             break;
                                                         }
-                                                        let _e988 = global_10.member[_e984].member_1;
-                                                        phi_1115_ = _e988;
+                                                        let _e1231 = global_10.member[_e1227].member_1;
+                                                        phi_1453_ = _e1231;
                                                     } else {
-                                                        phi_1115_ = 4294967295u;
+                                                        phi_1453_ = 4294967295u;
                                                     }
-                                                    let _e990 = phi_1115_;
-                                                    if _e985 {
-                                                        if _e985 {
+                                                    let _e1233 = phi_1453_;
+                                                    if _e1228 {
+                                                        if _e1228 {
                                                         } else {
-                                                            phi_3585_ = true;
+                                                            phi_3965_ = true;
                                                             break;
                                                         }
-                                                        let _e992 = global_10.member[_e984];
-                                                        phi_1131_ = _e992;
+                                                        let _e1235 = global_10.member[_e1227];
+                                                        phi_1469_ = _e1235;
                                                     } else {
-                                                        phi_1131_ = type_56(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                        phi_1469_ = type_56(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                     }
-                                                    let _e994 = phi_1131_;
-                                                    let _e1006 = ((10u * _e354) & 31u);
-                                                    let _e1009 = ((_e994.member[0] >> bitcast<u32>(_e1006)) & 1023u);
-                                                    let _e1014 = bitcast<f32>((bitcast<u32>(((_e605.member.member_1[0] - _e605.member.member[0]) * 0.0009775171f)) ^ _e132));
-                                                    let _e1020 = (_e605.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1009) * _e1014)) ^ _e132)));
-                                                    let _e1024 = select(select(_e605.member.member_1[0], _e1020, (_e1020 < _e605.member.member_1[0])), _e605.member.member_1[0], (_e1009 == 1023u));
-                                                    let _e1026 = ((10u * _e353) & 31u);
-                                                    let _e1029 = ((_e994.member[0] >> bitcast<u32>(_e1026)) & 1023u);
-                                                    let _e1034 = bitcast<f32>((bitcast<u32>(((_e605.member.member_1[1] - _e605.member.member[1]) * 0.0009775171f)) ^ _e132));
-                                                    let _e1040 = (_e605.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1029) * _e1034)) ^ _e132)));
-                                                    let _e1044 = select(select(_e605.member.member_1[1], _e1040, (_e1040 < _e605.member.member_1[1])), _e605.member.member_1[1], (_e1029 == 1023u));
-                                                    let _e1046 = ((10u * _e355) & 31u);
-                                                    let _e1049 = ((_e994.member[0] >> bitcast<u32>(_e1046)) & 1023u);
-                                                    let _e1054 = bitcast<f32>((bitcast<u32>(((_e605.member.member_1[2] - _e605.member.member[2]) * 0.0009775171f)) ^ _e132));
-                                                    let _e1060 = (_e605.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1049) * _e1054)) ^ _e132)));
-                                                    let _e1064 = select(select(_e605.member.member_1[2], _e1060, (_e1060 < _e605.member.member_1[2])), _e605.member.member_1[2], (_e1049 == 1023u));
-                                                    let _e1068 = ((_e994.member[1] >> bitcast<u32>(_e1006)) & 1023u);
-                                                    let _e1074 = (_e605.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1068) * _e1014)) ^ _e132)));
-                                                    let _e1078 = select(select(_e605.member.member_1[0], _e1074, (_e1074 < _e605.member.member_1[0])), _e605.member.member_1[0], (_e1068 == 1023u));
-                                                    let _e1081 = ((_e994.member[1] >> bitcast<u32>(_e1026)) & 1023u);
-                                                    let _e1087 = (_e605.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1081) * _e1034)) ^ _e132)));
-                                                    let _e1091 = select(select(_e605.member.member_1[1], _e1087, (_e1087 < _e605.member.member_1[1])), _e605.member.member_1[1], (_e1081 == 1023u));
-                                                    let _e1094 = ((_e994.member[1] >> bitcast<u32>(_e1046)) & 1023u);
-                                                    let _e1100 = (_e605.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1094) * _e1054)) ^ _e132)));
-                                                    let _e1104 = select(select(_e605.member.member_1[2], _e1100, (_e1100 < _e605.member.member_1[2])), _e605.member.member_1[2], (_e1094 == 1023u));
-                                                    let _e1108 = ((_e994.member[2] >> bitcast<u32>(_e1006)) & 1023u);
-                                                    let _e1114 = (_e605.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1108) * _e1014)) ^ _e132)));
-                                                    let _e1118 = select(select(_e605.member.member_1[0], _e1114, (_e1114 < _e605.member.member_1[0])), _e605.member.member_1[0], (_e1108 == 1023u));
-                                                    let _e1121 = ((_e994.member[2] >> bitcast<u32>(_e1026)) & 1023u);
-                                                    let _e1127 = (_e605.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1121) * _e1034)) ^ _e132)));
-                                                    let _e1131 = select(select(_e605.member.member_1[1], _e1127, (_e1127 < _e605.member.member_1[1])), _e605.member.member_1[1], (_e1121 == 1023u));
-                                                    let _e1134 = ((_e994.member[2] >> bitcast<u32>(_e1046)) & 1023u);
-                                                    let _e1140 = (_e605.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1134) * _e1054)) ^ _e132)));
-                                                    let _e1144 = select(select(_e605.member.member_1[2], _e1140, (_e1140 < _e605.member.member_1[2])), _e605.member.member_1[2], (_e1134 == 1023u));
-                                                    let _e1148 = (_e1064 - _e459);
-                                                    let _e1151 = (((_e1024 - _e386) * _e483) - (_e1148 * _e411));
-                                                    let _e1154 = (((_e1044 - _e423) * _e483) - (_e1148 * _e447));
-                                                    let _e1157 = (_e1104 - _e459);
-                                                    let _e1160 = (((_e1078 - _e386) * _e483) - (_e1157 * _e411));
-                                                    let _e1163 = (((_e1091 - _e423) * _e483) - (_e1157 * _e447));
-                                                    let _e1166 = (_e1144 - _e459);
-                                                    let _e1169 = (((_e1118 - _e386) * _e483) - (_e1166 * _e411));
-                                                    let _e1172 = (((_e1131 - _e423) * _e483) - (_e1166 * _e447));
-                                                    let _e1173 = (_e1169 * _e1163);
-                                                    let _e1174 = (_e1172 * _e1160);
-                                                    let _e1175 = (_e1151 * _e1172);
-                                                    let _e1176 = (_e1154 * _e1169);
-                                                    let _e1177 = (_e1160 * _e1154);
-                                                    let _e1178 = (_e1163 * _e1151);
-                                                    let _e1183 = (((_e1173 >= _e1174) && (_e1175 >= _e1176)) && (_e1177 >= _e1178));
-                                                    if (_e1183 || (((_e1173 <= _e1174) && (_e1175 <= _e1176)) && (_e1177 <= _e1178))) {
-                                                        let _e1190 = select(-1f, 1f, _e1183);
-                                                        let _e1192 = ((_e1173 - _e1174) * _e1190);
-                                                        let _e1194 = select(0f, _e1192, (_e1192 > 0f));
-                                                        let _e1196 = ((_e1175 - _e1176) * _e1190);
-                                                        let _e1198 = select(0f, _e1196, (_e1196 > 0f));
-                                                        let _e1200 = ((_e1177 - _e1178) * _e1190);
-                                                        let _e1202 = select(0f, _e1200, (_e1200 > 0f));
-                                                        let _e1204 = ((_e1194 + _e1198) + _e1202);
-                                                        if (_e1204 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2191_ = type_22();
-                                                            phi_2192_ = true;
-                                                            phi_2193_ = false;
+                                                    let _e1237 = phi_1469_;
+                                                    let _e1249 = ((10u * _e418) & 31u);
+                                                    let _e1252 = ((_e1237.member[0] >> bitcast<u32>(_e1249)) & 1023u);
+                                                    let _e1260 = bitcast<f32>((bitcast<u32>(((_e824.member.member_1[0] - _e824.member.member[0]) * 0.0009775171f)) ^ _e136));
+                                                    let _e1265 = (_e824.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1252)) - 8388608f) * _e1260)) ^ _e136)));
+                                                    let _e1269 = select(select(_e824.member.member_1[0], _e1265, (_e1265 < _e824.member.member_1[0])), _e824.member.member_1[0], (_e1252 == 1023u));
+                                                    let _e1271 = ((10u * _e417) & 31u);
+                                                    let _e1274 = ((_e1237.member[0] >> bitcast<u32>(_e1271)) & 1023u);
+                                                    let _e1282 = bitcast<f32>((bitcast<u32>(((_e824.member.member_1[1] - _e824.member.member[1]) * 0.0009775171f)) ^ _e136));
+                                                    let _e1287 = (_e824.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1274)) - 8388608f) * _e1282)) ^ _e136)));
+                                                    let _e1291 = select(select(_e824.member.member_1[1], _e1287, (_e1287 < _e824.member.member_1[1])), _e824.member.member_1[1], (_e1274 == 1023u));
+                                                    let _e1293 = ((10u * _e419) & 31u);
+                                                    let _e1296 = ((_e1237.member[0] >> bitcast<u32>(_e1293)) & 1023u);
+                                                    let _e1304 = bitcast<f32>((bitcast<u32>(((_e824.member.member_1[2] - _e824.member.member[2]) * 0.0009775171f)) ^ _e136));
+                                                    let _e1309 = (_e824.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1296)) - 8388608f) * _e1304)) ^ _e136)));
+                                                    let _e1313 = select(select(_e824.member.member_1[2], _e1309, (_e1309 < _e824.member.member_1[2])), _e824.member.member_1[2], (_e1296 == 1023u));
+                                                    let _e1317 = ((_e1237.member[1] >> bitcast<u32>(_e1249)) & 1023u);
+                                                    let _e1325 = (_e824.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1317)) - 8388608f) * _e1260)) ^ _e136)));
+                                                    let _e1329 = select(select(_e824.member.member_1[0], _e1325, (_e1325 < _e824.member.member_1[0])), _e824.member.member_1[0], (_e1317 == 1023u));
+                                                    let _e1332 = ((_e1237.member[1] >> bitcast<u32>(_e1271)) & 1023u);
+                                                    let _e1340 = (_e824.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1332)) - 8388608f) * _e1282)) ^ _e136)));
+                                                    let _e1344 = select(select(_e824.member.member_1[1], _e1340, (_e1340 < _e824.member.member_1[1])), _e824.member.member_1[1], (_e1332 == 1023u));
+                                                    let _e1347 = ((_e1237.member[1] >> bitcast<u32>(_e1293)) & 1023u);
+                                                    let _e1355 = (_e824.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1347)) - 8388608f) * _e1304)) ^ _e136)));
+                                                    let _e1359 = select(select(_e824.member.member_1[2], _e1355, (_e1355 < _e824.member.member_1[2])), _e824.member.member_1[2], (_e1347 == 1023u));
+                                                    let _e1363 = ((_e1237.member[2] >> bitcast<u32>(_e1249)) & 1023u);
+                                                    let _e1371 = (_e824.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1363)) - 8388608f) * _e1260)) ^ _e136)));
+                                                    let _e1375 = select(select(_e824.member.member_1[0], _e1371, (_e1371 < _e824.member.member_1[0])), _e824.member.member_1[0], (_e1363 == 1023u));
+                                                    let _e1378 = ((_e1237.member[2] >> bitcast<u32>(_e1271)) & 1023u);
+                                                    let _e1386 = (_e824.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1378)) - 8388608f) * _e1282)) ^ _e136)));
+                                                    let _e1390 = select(select(_e824.member.member_1[1], _e1386, (_e1386 < _e824.member.member_1[1])), _e824.member.member_1[1], (_e1378 == 1023u));
+                                                    let _e1393 = ((_e1237.member[2] >> bitcast<u32>(_e1293)) & 1023u);
+                                                    let _e1401 = (_e824.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1393)) - 8388608f) * _e1304)) ^ _e136)));
+                                                    let _e1405 = select(select(_e824.member.member_1[2], _e1401, (_e1401 < _e824.member.member_1[2])), _e824.member.member_1[2], (_e1393 == 1023u));
+                                                    let _e1409 = (_e1313 - _e598);
+                                                    let _e1412 = (((_e1269 - _e465) * _e637) - (_e1409 * _e505));
+                                                    let _e1415 = (((_e1291 - _e532) * _e637) - (_e1409 * _e571));
+                                                    let _e1418 = (_e1359 - _e598);
+                                                    let _e1421 = (((_e1329 - _e465) * _e637) - (_e1418 * _e505));
+                                                    let _e1424 = (((_e1344 - _e532) * _e637) - (_e1418 * _e571));
+                                                    let _e1427 = (_e1405 - _e598);
+                                                    let _e1430 = (((_e1375 - _e465) * _e637) - (_e1427 * _e505));
+                                                    let _e1433 = (((_e1390 - _e532) * _e637) - (_e1427 * _e571));
+                                                    let _e1434 = (_e1430 * _e1424);
+                                                    let _e1435 = (_e1433 * _e1421);
+                                                    let _e1436 = (_e1412 * _e1433);
+                                                    let _e1437 = (_e1415 * _e1430);
+                                                    let _e1438 = (_e1421 * _e1415);
+                                                    let _e1439 = (_e1424 * _e1412);
+                                                    let _e1444 = (((_e1434 >= _e1435) && (_e1436 >= _e1437)) && (_e1438 >= _e1439));
+                                                    if (_e1444 || (((_e1434 <= _e1435) && (_e1436 <= _e1437)) && (_e1438 <= _e1439))) {
+                                                        let _e1451 = select(-1f, 1f, _e1444);
+                                                        let _e1453 = ((_e1434 - _e1435) * _e1451);
+                                                        let _e1455 = select(0f, _e1453, (_e1453 > 0f));
+                                                        let _e1457 = ((_e1436 - _e1437) * _e1451);
+                                                        let _e1459 = select(0f, _e1457, (_e1457 > 0f));
+                                                        let _e1461 = ((_e1438 - _e1439) * _e1451);
+                                                        let _e1463 = select(0f, _e1461, (_e1461 > 0f));
+                                                        let _e1465 = ((_e1455 + _e1459) + _e1463);
+                                                        if (_e1465 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2547_ = type_22();
+                                                            phi_2548_ = true;
+                                                            phi_2549_ = false;
                                                         } else {
-                                                            let _e1207 = select(_e1160, _e1151, (_e1151 < _e1160));
-                                                            if (select(_e1169, _e1207, (_e1207 < _e1169)) > 0f) {
-                                                                phi_1507_ = true;
+                                                            let _e1468 = select(_e1421, _e1412, (_e1412 < _e1421));
+                                                            if (select(_e1430, _e1468, (_e1468 < _e1430)) > 0f) {
+                                                                phi_1863_ = true;
                                                             } else {
-                                                                let _e1212 = select(_e1160, _e1151, (_e1151 > _e1160));
-                                                                phi_1507_ = (select(_e1169, _e1212, (_e1212 > _e1169)) < 0f);
+                                                                let _e1473 = select(_e1421, _e1412, (_e1412 > _e1421));
+                                                                phi_1863_ = (select(_e1430, _e1473, (_e1473 > _e1430)) < 0f);
                                                             }
-                                                            let _e1217 = phi_1507_;
-                                                            if _e1217 {
-                                                                phi_2188_ = type_22();
-                                                                phi_2189_ = true;
-                                                                phi_2190_ = false;
+                                                            let _e1478 = phi_1863_;
+                                                            if _e1478 {
+                                                                phi_2544_ = type_22();
+                                                                phi_2545_ = true;
+                                                                phi_2546_ = false;
                                                             } else {
-                                                                let _e1219 = select(_e1163, _e1154, (_e1154 < _e1163));
-                                                                if (select(_e1172, _e1219, (_e1219 < _e1172)) > 0f) {
-                                                                    phi_1536_ = true;
+                                                                let _e1480 = select(_e1424, _e1415, (_e1415 < _e1424));
+                                                                if (select(_e1433, _e1480, (_e1480 < _e1433)) > 0f) {
+                                                                    phi_1892_ = true;
                                                                 } else {
-                                                                    let _e1224 = select(_e1163, _e1154, (_e1154 > _e1163));
-                                                                    phi_1536_ = (select(_e1172, _e1224, (_e1224 > _e1172)) < 0f);
+                                                                    let _e1485 = select(_e1424, _e1415, (_e1415 > _e1424));
+                                                                    phi_1892_ = (select(_e1433, _e1485, (_e1485 > _e1433)) < 0f);
                                                                 }
-                                                                let _e1229 = phi_1536_;
-                                                                if _e1229 {
-                                                                    phi_2186_ = type_22();
-                                                                    phi_2187_ = false;
+                                                                let _e1490 = phi_1892_;
+                                                                if _e1490 {
+                                                                    phi_2542_ = type_22();
+                                                                    phi_2543_ = false;
                                                                 } else {
-                                                                    let _e1231 = select(_e1078, _e1024, (_e1024 < _e1078));
-                                                                    let _e1235 = select(_e1078, _e1024, (_e1024 > _e1078));
-                                                                    let _e1239 = select(_e1091, _e1044, (_e1044 < _e1091));
-                                                                    let _e1243 = select(_e1091, _e1044, (_e1044 > _e1091));
-                                                                    let _e1247 = select(_e1104, _e1064, (_e1064 < _e1104));
-                                                                    let _e1251 = select(_e1104, _e1064, (_e1064 > _e1104));
-                                                                    let _e1256 = ((select(_e1118, _e1231, (_e1231 < _e1118)) - _e409) * _e414);
-                                                                    let _e1257 = ((select(_e1118, _e1235, (_e1235 > _e1118)) - _e410) * _e414);
-                                                                    let _e1260 = ((select(_e1131, _e1239, (_e1239 < _e1131)) - _e445) * _e450);
-                                                                    let _e1261 = ((select(_e1131, _e1243, (_e1243 > _e1131)) - _e446) * _e450);
-                                                                    let _e1264 = ((select(_e1144, _e1247, (_e1247 < _e1144)) - _e481) * _e486);
-                                                                    let _e1265 = ((select(_e1144, _e1251, (_e1251 > _e1144)) - _e482) * _e486);
-                                                                    let _e1267 = select(_e1265, _e1264, (_e1264 < _e1265));
-                                                                    let _e1269 = select(_e1265, _e1264, (_e1264 > _e1265));
-                                                                    let _e1271 = select(_e1257, _e1256, (_e1256 < _e1257));
-                                                                    let _e1273 = select(_e1261, _e1260, (_e1260 < _e1261));
-                                                                    let _e1275 = select(_e1273, _e1271, (_e1271 > _e1273));
-                                                                    let _e1277 = select(_e1267, _e1275, (_e1275 > _e1267));
-                                                                    let _e1279 = select(_e1257, _e1256, (_e1256 > _e1257));
-                                                                    let _e1281 = select(_e1261, _e1260, (_e1260 > _e1261));
-                                                                    let _e1283 = select(_e1281, _e1279, (_e1279 < _e1281));
-                                                                    let _e1285 = select(_e1269, _e1283, (_e1283 < _e1269));
-                                                                    let _e1286 = -(_e1267);
-                                                                    let _e1292 = select(_e532, _e1277, (_e1277 > _e532));
-                                                                    if (_e1292 > (_e1285 + (select(_e1286, _e1269, (_e1269 > _e1286)) * 0.0000019073523f))) {
-                                                                        phi_2181_ = type_22();
-                                                                        phi_2182_ = true;
+                                                                    let _e1492 = select(_e1329, _e1269, (_e1269 < _e1329));
+                                                                    let _e1496 = select(_e1329, _e1269, (_e1269 > _e1329));
+                                                                    let _e1500 = select(_e1344, _e1291, (_e1291 < _e1344));
+                                                                    let _e1504 = select(_e1344, _e1291, (_e1291 > _e1344));
+                                                                    let _e1508 = select(_e1359, _e1313, (_e1313 < _e1359));
+                                                                    let _e1512 = select(_e1359, _e1313, (_e1313 > _e1359));
+                                                                    let _e1517 = ((select(_e1375, _e1492, (_e1492 < _e1375)) - _e503) * _e508);
+                                                                    let _e1518 = ((select(_e1375, _e1496, (_e1496 > _e1375)) - _e504) * _e508);
+                                                                    let _e1521 = ((select(_e1390, _e1500, (_e1500 < _e1390)) - _e569) * _e574);
+                                                                    let _e1522 = ((select(_e1390, _e1504, (_e1504 > _e1390)) - _e570) * _e574);
+                                                                    let _e1525 = ((select(_e1405, _e1508, (_e1508 < _e1405)) - _e635) * _e640);
+                                                                    let _e1526 = ((select(_e1405, _e1512, (_e1512 > _e1405)) - _e636) * _e640);
+                                                                    let _e1528 = select(_e1526, _e1525, (_e1525 < _e1526));
+                                                                    let _e1530 = select(_e1526, _e1525, (_e1525 > _e1526));
+                                                                    let _e1532 = select(_e1518, _e1517, (_e1517 < _e1518));
+                                                                    let _e1534 = select(_e1522, _e1521, (_e1521 < _e1522));
+                                                                    let _e1536 = select(_e1534, _e1532, (_e1532 > _e1534));
+                                                                    let _e1538 = select(_e1528, _e1536, (_e1536 > _e1528));
+                                                                    let _e1540 = select(_e1518, _e1517, (_e1517 > _e1518));
+                                                                    let _e1542 = select(_e1522, _e1521, (_e1521 > _e1522));
+                                                                    let _e1544 = select(_e1542, _e1540, (_e1540 < _e1542));
+                                                                    let _e1546 = select(_e1530, _e1544, (_e1544 < _e1530));
+                                                                    let _e1547 = -(_e1528);
+                                                                    let _e1553 = select(_e751, _e1538, (_e1538 > _e751));
+                                                                    if (_e1553 > (_e1546 + (select(_e1547, _e1530, (_e1530 > _e1547)) * 0.0000019073523f))) {
+                                                                        phi_2537_ = type_22();
+                                                                        phi_2538_ = true;
                                                                     } else {
-                                                                        let _e1294 = (_e1292 > _e962.member);
-                                                                        if _e1294 {
-                                                                            phi_2180_ = type_22();
+                                                                        let _e1555 = (_e1553 > _e1205.member);
+                                                                        if _e1555 {
+                                                                            phi_2536_ = type_22();
                                                                         } else {
-                                                                            let _e1295 = vec3<f32>(_e1024, _e1044, _e1064);
-                                                                            let _e1296 = vec3<f32>(_e1078, _e1091, _e1104);
-                                                                            let _e1297 = vec3<f32>(_e1118, _e1131, _e1144);
-                                                                            let _e1298 = (_e1078 - _e1024);
-                                                                            let _e1299 = (_e1091 - _e1044);
-                                                                            let _e1300 = (_e1104 - _e1064);
-                                                                            let _e1301 = vec3<f32>(_e1298, _e1299, _e1300);
-                                                                            let _e1302 = (_e1118 - _e1078);
-                                                                            let _e1303 = (_e1131 - _e1091);
-                                                                            let _e1304 = (_e1144 - _e1104);
-                                                                            let _e1305 = vec3<f32>(_e1302, _e1303, _e1304);
-                                                                            let _e1306 = (_e1024 - _e1118);
-                                                                            let _e1307 = (_e1044 - _e1131);
-                                                                            let _e1308 = (_e1064 - _e1144);
-                                                                            let _e1309 = vec3<f32>(_e1306, _e1307, _e1308);
-                                                                            let _e1312 = bitcast<f32>((bitcast<u32>(_e1298) & 2147483647u));
-                                                                            let _e1315 = bitcast<f32>((bitcast<u32>(_e1299) & 2147483647u));
-                                                                            let _e1317 = select(_e1315, _e1312, (_e1312 > _e1315));
-                                                                            let _e1320 = bitcast<f32>((bitcast<u32>(_e1300) & 2147483647u));
-                                                                            let _e1322 = select(_e1320, _e1317, (_e1317 > _e1320));
-                                                                            let _e1325 = bitcast<f32>((bitcast<u32>(_e1302) & 2147483647u));
-                                                                            let _e1328 = bitcast<f32>((bitcast<u32>(_e1303) & 2147483647u));
-                                                                            let _e1330 = select(_e1328, _e1325, (_e1325 > _e1328));
-                                                                            let _e1333 = bitcast<f32>((bitcast<u32>(_e1304) & 2147483647u));
-                                                                            let _e1335 = select(_e1333, _e1330, (_e1330 > _e1333));
-                                                                            let _e1338 = bitcast<f32>((bitcast<u32>(_e1306) & 2147483647u));
-                                                                            let _e1341 = bitcast<f32>((bitcast<u32>(_e1307) & 2147483647u));
-                                                                            let _e1343 = select(_e1341, _e1338, (_e1338 > _e1341));
-                                                                            let _e1346 = bitcast<f32>((bitcast<u32>(_e1308) & 2147483647u));
-                                                                            let _e1348 = select(_e1346, _e1343, (_e1343 > _e1346));
-                                                                            let _e1350 = select(_e1335, _e1322, (_e1322 > _e1335));
-                                                                            let _e1352 = select(_e1348, _e1350, (_e1350 > _e1348));
-                                                                            if (_e1322 == _e1352) {
-                                                                                phi_1913_ = _e1163;
-                                                                                phi_1914_ = _e1160;
-                                                                                phi_1915_ = _e1154;
-                                                                                phi_1916_ = _e1151;
-                                                                                phi_1917_ = _e1295;
-                                                                                phi_1918_ = _e1309;
-                                                                                phi_1919_ = _e1305;
-                                                                                phi_1920_ = _e1301;
+                                                                            let _e1556 = vec3<f32>(_e1269, _e1291, _e1313);
+                                                                            let _e1557 = vec3<f32>(_e1329, _e1344, _e1359);
+                                                                            let _e1558 = vec3<f32>(_e1375, _e1390, _e1405);
+                                                                            let _e1559 = (_e1329 - _e1269);
+                                                                            let _e1560 = (_e1344 - _e1291);
+                                                                            let _e1561 = (_e1359 - _e1313);
+                                                                            let _e1562 = vec3<f32>(_e1559, _e1560, _e1561);
+                                                                            let _e1563 = (_e1375 - _e1329);
+                                                                            let _e1564 = (_e1390 - _e1344);
+                                                                            let _e1565 = (_e1405 - _e1359);
+                                                                            let _e1566 = vec3<f32>(_e1563, _e1564, _e1565);
+                                                                            let _e1567 = (_e1269 - _e1375);
+                                                                            let _e1568 = (_e1291 - _e1390);
+                                                                            let _e1569 = (_e1313 - _e1405);
+                                                                            let _e1570 = vec3<f32>(_e1567, _e1568, _e1569);
+                                                                            let _e1573 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
+                                                                            let _e1576 = bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u));
+                                                                            let _e1578 = select(_e1576, _e1573, (_e1573 > _e1576));
+                                                                            let _e1581 = bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u));
+                                                                            let _e1583 = select(_e1581, _e1578, (_e1578 > _e1581));
+                                                                            let _e1586 = bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u));
+                                                                            let _e1589 = bitcast<f32>((bitcast<u32>(_e1564) & 2147483647u));
+                                                                            let _e1591 = select(_e1589, _e1586, (_e1586 > _e1589));
+                                                                            let _e1594 = bitcast<f32>((bitcast<u32>(_e1565) & 2147483647u));
+                                                                            let _e1596 = select(_e1594, _e1591, (_e1591 > _e1594));
+                                                                            let _e1599 = bitcast<f32>((bitcast<u32>(_e1567) & 2147483647u));
+                                                                            let _e1602 = bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u));
+                                                                            let _e1604 = select(_e1602, _e1599, (_e1599 > _e1602));
+                                                                            let _e1607 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
+                                                                            let _e1609 = select(_e1607, _e1604, (_e1604 > _e1607));
+                                                                            let _e1611 = select(_e1596, _e1583, (_e1583 > _e1596));
+                                                                            let _e1613 = select(_e1609, _e1611, (_e1611 > _e1609));
+                                                                            if (_e1583 == _e1613) {
+                                                                                phi_2269_ = _e1424;
+                                                                                phi_2270_ = _e1421;
+                                                                                phi_2271_ = _e1415;
+                                                                                phi_2272_ = _e1412;
+                                                                                phi_2273_ = _e1556;
+                                                                                phi_2274_ = _e1570;
+                                                                                phi_2275_ = _e1566;
+                                                                                phi_2276_ = _e1562;
                                                                             } else {
-                                                                                let _e1354 = (_e1335 == _e1352);
-                                                                                let _e1359 = vec3(_e1354);
-                                                                                phi_1913_ = select(_e1154, _e1172, _e1354);
-                                                                                phi_1914_ = select(_e1151, _e1169, _e1354);
-                                                                                phi_1915_ = select(_e1172, _e1163, _e1354);
-                                                                                phi_1916_ = select(_e1169, _e1160, _e1354);
-                                                                                phi_1917_ = select(_e1297, _e1296, _e1359);
-                                                                                phi_1918_ = select(_e1305, _e1301, _e1359);
-                                                                                phi_1919_ = select(_e1301, _e1309, _e1359);
-                                                                                phi_1920_ = select(_e1309, _e1305, _e1359);
+                                                                                let _e1615 = (_e1596 == _e1613);
+                                                                                let _e1620 = vec3(_e1615);
+                                                                                phi_2269_ = select(_e1415, _e1433, _e1615);
+                                                                                phi_2270_ = select(_e1412, _e1430, _e1615);
+                                                                                phi_2271_ = select(_e1433, _e1424, _e1615);
+                                                                                phi_2272_ = select(_e1430, _e1421, _e1615);
+                                                                                phi_2273_ = select(_e1558, _e1557, _e1620);
+                                                                                phi_2274_ = select(_e1566, _e1562, _e1620);
+                                                                                phi_2275_ = select(_e1562, _e1570, _e1620);
+                                                                                phi_2276_ = select(_e1570, _e1566, _e1620);
                                                                             }
-                                                                            let _e1365 = phi_1913_;
-                                                                            let _e1367 = phi_1914_;
-                                                                            let _e1369 = phi_1915_;
-                                                                            let _e1371 = phi_1916_;
-                                                                            let _e1373 = phi_1917_;
-                                                                            let _e1375 = phi_1918_;
-                                                                            let _e1377 = phi_1919_;
-                                                                            let _e1379 = phi_1920_;
-                                                                            let _e1386 = ((_e1377.y * _e1375.z) - (_e1375.y * _e1377.z));
-                                                                            let _e1391 = ((_e1377.z * _e1375.x) - (_e1375.z * _e1377.x));
-                                                                            let _e1394 = ((_e1377.x * _e1375.y) - (_e1375.x * _e1377.y));
-                                                                            if (_e1194 >= _e1198) {
-                                                                                phi_1951_ = select(true, false, (_e1194 >= _e1202));
+                                                                            let _e1626 = phi_2269_;
+                                                                            let _e1628 = phi_2270_;
+                                                                            let _e1630 = phi_2271_;
+                                                                            let _e1632 = phi_2272_;
+                                                                            let _e1634 = phi_2273_;
+                                                                            let _e1636 = phi_2274_;
+                                                                            let _e1638 = phi_2275_;
+                                                                            let _e1640 = phi_2276_;
+                                                                            let _e1647 = ((_e1638.y * _e1636.z) - (_e1636.y * _e1638.z));
+                                                                            let _e1652 = ((_e1638.z * _e1636.x) - (_e1636.z * _e1638.x));
+                                                                            let _e1655 = ((_e1638.x * _e1636.y) - (_e1636.x * _e1638.y));
+                                                                            if (_e1455 >= _e1459) {
+                                                                                phi_2307_ = select(true, false, (_e1455 >= _e1463));
                                                                             } else {
-                                                                                phi_1951_ = true;
+                                                                                phi_2307_ = true;
                                                                             }
-                                                                            let _e1399 = phi_1951_;
-                                                                            if _e1399 {
-                                                                                phi_1960_ = select(_e1297, _e1296, vec3((_e1198 >= _e1202)));
+                                                                            let _e1660 = phi_2307_;
+                                                                            if _e1660 {
+                                                                                phi_2316_ = select(_e1558, _e1557, vec3((_e1459 >= _e1463)));
                                                                             } else {
-                                                                                phi_1960_ = _e1295;
+                                                                                phi_2316_ = _e1556;
                                                                             }
-                                                                            let _e1404 = phi_1960_;
-                                                                            let _e1415 = (((_e1386 * (_e1404.x - _e386)) + (_e1391 * (_e1404.y - _e423))) + (_e1394 * (_e1404.z - _e459)));
-                                                                            let _e1420 = (((_e1386 * _e411) + (_e1391 * _e447)) + (_e1394 * _e483));
-                                                                            let _e1421 = (_e1367 - _e1371);
-                                                                            let _e1422 = (_e1365 - _e1369);
-                                                                            let _e1430 = (-(((_e1371 * _e1421) + (_e1369 * _e1422))) / ((_e1421 * _e1421) + (_e1422 * _e1422)));
-                                                                            let _e1432 = select(1f, _e1430, (_e1430 < 1f));
-                                                                            let _e1434 = select(0f, _e1432, (_e1432 > 0f));
-                                                                            let _e1447 = ((_e1373.x + (_e1379.x * _e1434)) - _e386);
-                                                                            let _e1448 = ((_e1373.y + (_e1379.y * _e1434)) - _e423);
-                                                                            let _e1449 = ((_e1373.z + (_e1379.z * _e1434)) - _e459);
-                                                                            let _e1450 = (_e1449 / _e483);
-                                                                            let _e1462 = bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u));
-                                                                            let _e1465 = bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u));
-                                                                            let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
-                                                                            let _e1470 = bitcast<f32>((bitcast<u32>(_e1449) & 2147483647u));
-                                                                            let _e1472 = select(_e1470, _e1467, (_e1467 > _e1470));
-                                                                            let _e1478 = bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u));
-                                                                            let _e1481 = bitcast<f32>((bitcast<u32>(_e1391) & 2147483647u));
-                                                                            let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
-                                                                            let _e1486 = bitcast<f32>((bitcast<u32>(_e1394) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1386 * _e1447) + (_e1391 * _e1448)) + (_e1394 * _e1449)) - _e1415)) & 2147483647u)) <= ((0.0000009536743f * select(_e1352, _e1472, (_e1472 > _e1352))) * select(_e1486, _e1483, (_e1483 > _e1486)))) {
-                                                                                let _e1496 = bitcast<f32>((bitcast<u32>(_e1377.x) & 2147483647u));
-                                                                                let _e1499 = bitcast<f32>((bitcast<u32>(_e1377.y) & 2147483647u));
-                                                                                let _e1501 = select(_e1499, _e1496, (_e1496 > _e1499));
-                                                                                let _e1504 = bitcast<f32>((bitcast<u32>(_e1377.z) & 2147483647u));
-                                                                                let _e1510 = bitcast<f32>((bitcast<u32>(_e1375.x) & 2147483647u));
-                                                                                let _e1513 = bitcast<f32>((bitcast<u32>(_e1375.y) & 2147483647u));
-                                                                                let _e1515 = select(_e1513, _e1510, (_e1510 > _e1513));
-                                                                                let _e1518 = bitcast<f32>((bitcast<u32>(_e1375.z) & 2147483647u));
-                                                                                let _e1522 = (bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u)) > ((0.0000038146973f * select(_e1504, _e1501, (_e1501 > _e1504))) * select(_e1518, _e1515, (_e1515 > _e1518))));
-                                                                                if _e1522 {
-                                                                                    phi_2125_ = (_e1415 / _e1420);
+                                                                            let _e1665 = phi_2316_;
+                                                                            let _e1676 = (((_e1647 * (_e1665.x - _e465)) + (_e1652 * (_e1665.y - _e532))) + (_e1655 * (_e1665.z - _e598)));
+                                                                            let _e1681 = (((_e1647 * _e505) + (_e1652 * _e571)) + (_e1655 * _e637));
+                                                                            let _e1682 = (_e1628 - _e1632);
+                                                                            let _e1683 = (_e1626 - _e1630);
+                                                                            let _e1691 = (-(((_e1632 * _e1682) + (_e1630 * _e1683))) / ((_e1682 * _e1682) + (_e1683 * _e1683)));
+                                                                            let _e1693 = select(1f, _e1691, (_e1691 < 1f));
+                                                                            let _e1695 = select(0f, _e1693, (_e1693 > 0f));
+                                                                            let _e1708 = ((_e1634.x + (_e1640.x * _e1695)) - _e465);
+                                                                            let _e1709 = ((_e1634.y + (_e1640.y * _e1695)) - _e532);
+                                                                            let _e1710 = ((_e1634.z + (_e1640.z * _e1695)) - _e598);
+                                                                            let _e1711 = (_e1710 / _e637);
+                                                                            let _e1723 = bitcast<f32>((bitcast<u32>(_e1708) & 2147483647u));
+                                                                            let _e1726 = bitcast<f32>((bitcast<u32>(_e1709) & 2147483647u));
+                                                                            let _e1728 = select(_e1726, _e1723, (_e1723 > _e1726));
+                                                                            let _e1731 = bitcast<f32>((bitcast<u32>(_e1710) & 2147483647u));
+                                                                            let _e1733 = select(_e1731, _e1728, (_e1728 > _e1731));
+                                                                            let _e1739 = bitcast<f32>((bitcast<u32>(_e1647) & 2147483647u));
+                                                                            let _e1742 = bitcast<f32>((bitcast<u32>(_e1652) & 2147483647u));
+                                                                            let _e1744 = select(_e1742, _e1739, (_e1739 > _e1742));
+                                                                            let _e1747 = bitcast<f32>((bitcast<u32>(_e1655) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1647 * _e1708) + (_e1652 * _e1709)) + (_e1655 * _e1710)) - _e1676)) & 2147483647u)) <= ((0.0000009536743f * select(_e1613, _e1733, (_e1733 > _e1613))) * select(_e1747, _e1744, (_e1744 > _e1747)))) {
+                                                                                let _e1757 = bitcast<f32>((bitcast<u32>(_e1638.x) & 2147483647u));
+                                                                                let _e1760 = bitcast<f32>((bitcast<u32>(_e1638.y) & 2147483647u));
+                                                                                let _e1762 = select(_e1760, _e1757, (_e1757 > _e1760));
+                                                                                let _e1765 = bitcast<f32>((bitcast<u32>(_e1638.z) & 2147483647u));
+                                                                                let _e1771 = bitcast<f32>((bitcast<u32>(_e1636.x) & 2147483647u));
+                                                                                let _e1774 = bitcast<f32>((bitcast<u32>(_e1636.y) & 2147483647u));
+                                                                                let _e1776 = select(_e1774, _e1771, (_e1771 > _e1774));
+                                                                                let _e1779 = bitcast<f32>((bitcast<u32>(_e1636.z) & 2147483647u));
+                                                                                let _e1783 = (bitcast<f32>((bitcast<u32>(_e1681) & 2147483647u)) > ((0.0000038146973f * select(_e1765, _e1762, (_e1762 > _e1765))) * select(_e1779, _e1776, (_e1776 > _e1779))));
+                                                                                if _e1783 {
+                                                                                    phi_2481_ = (_e1676 / _e1681);
                                                                                 } else {
-                                                                                    phi_2125_ = f32();
+                                                                                    phi_2481_ = f32();
                                                                                 }
-                                                                                let _e1525 = phi_2125_;
-                                                                                phi_2127_ = _e1525;
-                                                                                phi_2128_ = select(true, false, _e1522);
+                                                                                let _e1786 = phi_2481_;
+                                                                                phi_2483_ = _e1786;
+                                                                                phi_2484_ = select(true, false, _e1783);
                                                                             } else {
-                                                                                phi_2127_ = f32();
-                                                                                phi_2128_ = true;
+                                                                                phi_2483_ = f32();
+                                                                                phi_2484_ = true;
                                                                             }
-                                                                            let _e1528 = phi_2127_;
-                                                                            let _e1530 = phi_2128_;
-                                                                            if _e1530 {
-                                                                                let _e1538 = (((_e1386 * (_e1447 - (_e411 * _e1450))) + (_e1391 * (_e1448 - (_e447 * _e1450)))) / _e1420);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1538) & 2147483647u)) <= _e1352) {
-                                                                                    phi_2148_ = (_e1450 + _e1538);
+                                                                            let _e1789 = phi_2483_;
+                                                                            let _e1791 = phi_2484_;
+                                                                            if _e1791 {
+                                                                                let _e1799 = (((_e1647 * (_e1708 - (_e505 * _e1711))) + (_e1652 * (_e1709 - (_e571 * _e1711)))) / _e1681);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1799) & 2147483647u)) <= _e1613) {
+                                                                                    phi_2504_ = (_e1711 + _e1799);
                                                                                 } else {
-                                                                                    phi_2148_ = _e1450;
+                                                                                    phi_2504_ = _e1711;
                                                                                 }
-                                                                                let _e1545 = phi_2148_;
-                                                                                phi_2149_ = _e1545;
+                                                                                let _e1806 = phi_2504_;
+                                                                                phi_2505_ = _e1806;
                                                                             } else {
-                                                                                phi_2149_ = _e1528;
+                                                                                phi_2505_ = _e1789;
                                                                             }
-                                                                            let _e1547 = phi_2149_;
-                                                                            let _e1549 = select(_e1285, _e1547, (_e1547 < _e1285));
-                                                                            let _e1551 = select(_e1277, _e1549, (_e1549 > _e1277));
-                                                                            if (_e1551 >= _e532) {
-                                                                                let _e1553 = (_e1551 <= _e962.member);
-                                                                                if _e1553 {
-                                                                                    let _e1554 = (1f / _e1204);
-                                                                                    phi_2172_ = type_22(_e1551, (_e1198 * _e1554), (_e1202 * _e1554), _e990);
+                                                                            let _e1808 = phi_2505_;
+                                                                            let _e1810 = select(_e1546, _e1808, (_e1808 < _e1546));
+                                                                            let _e1812 = select(_e1538, _e1810, (_e1810 > _e1538));
+                                                                            if (_e1812 >= _e751) {
+                                                                                let _e1814 = (_e1812 <= _e1205.member);
+                                                                                if _e1814 {
+                                                                                    let _e1815 = (1f / _e1465);
+                                                                                    phi_2528_ = type_22(_e1812, (_e1459 * _e1815), (_e1463 * _e1815), _e1233);
                                                                                 } else {
-                                                                                    phi_2172_ = type_22();
+                                                                                    phi_2528_ = type_22();
                                                                                 }
-                                                                                let _e1559 = phi_2172_;
-                                                                                phi_2174_ = _e1559;
-                                                                                phi_2175_ = select(true, false, _e1553);
+                                                                                let _e1820 = phi_2528_;
+                                                                                phi_2530_ = _e1820;
+                                                                                phi_2531_ = select(true, false, _e1814);
                                                                             } else {
-                                                                                phi_2174_ = type_22();
-                                                                                phi_2175_ = true;
+                                                                                phi_2530_ = type_22();
+                                                                                phi_2531_ = true;
                                                                             }
-                                                                            let _e1562 = phi_2174_;
-                                                                            let _e1564 = phi_2175_;
-                                                                            if _e1564 {
-                                                                                phi_2179_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e1823 = phi_2530_;
+                                                                            let _e1825 = phi_2531_;
+                                                                            if _e1825 {
+                                                                                phi_2535_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2179_ = _e1562;
+                                                                                phi_2535_ = _e1823;
                                                                             }
-                                                                            let _e1566 = phi_2179_;
-                                                                            phi_2180_ = _e1566;
+                                                                            let _e1827 = phi_2535_;
+                                                                            phi_2536_ = _e1827;
                                                                         }
-                                                                        let _e1568 = phi_2180_;
-                                                                        phi_2181_ = _e1568;
-                                                                        phi_2182_ = _e1294;
+                                                                        let _e1829 = phi_2536_;
+                                                                        phi_2537_ = _e1829;
+                                                                        phi_2538_ = _e1555;
                                                                     }
-                                                                    let _e1570 = phi_2181_;
-                                                                    let _e1572 = phi_2182_;
-                                                                    phi_2186_ = _e1570;
-                                                                    phi_2187_ = _e1572;
+                                                                    let _e1831 = phi_2537_;
+                                                                    let _e1833 = phi_2538_;
+                                                                    phi_2542_ = _e1831;
+                                                                    phi_2543_ = _e1833;
                                                                 }
-                                                                let _e1574 = phi_2186_;
-                                                                let _e1576 = phi_2187_;
-                                                                phi_2188_ = _e1574;
-                                                                phi_2189_ = _e1229;
-                                                                phi_2190_ = _e1576;
+                                                                let _e1835 = phi_2542_;
+                                                                let _e1837 = phi_2543_;
+                                                                phi_2544_ = _e1835;
+                                                                phi_2545_ = _e1490;
+                                                                phi_2546_ = _e1837;
                                                             }
-                                                            let _e1578 = phi_2188_;
-                                                            let _e1580 = phi_2189_;
-                                                            let _e1582 = phi_2190_;
-                                                            phi_2191_ = _e1578;
-                                                            phi_2192_ = _e1580;
-                                                            phi_2193_ = _e1582;
+                                                            let _e1839 = phi_2544_;
+                                                            let _e1841 = phi_2545_;
+                                                            let _e1843 = phi_2546_;
+                                                            phi_2547_ = _e1839;
+                                                            phi_2548_ = _e1841;
+                                                            phi_2549_ = _e1843;
                                                         }
-                                                        let _e1584 = phi_2191_;
-                                                        let _e1586 = phi_2192_;
-                                                        let _e1588 = phi_2193_;
-                                                        phi_2201_ = _e1584;
-                                                        phi_2202_ = select(_e1588, true, _e1586);
+                                                        let _e1845 = phi_2547_;
+                                                        let _e1847 = phi_2548_;
+                                                        let _e1849 = phi_2549_;
+                                                        phi_2557_ = _e1845;
+                                                        phi_2558_ = select(_e1849, true, _e1847);
                                                     } else {
-                                                        phi_2201_ = type_22();
-                                                        phi_2202_ = true;
+                                                        phi_2557_ = type_22();
+                                                        phi_2558_ = true;
                                                     }
-                                                    let _e1591 = phi_2201_;
-                                                    let _e1593 = phi_2202_;
-                                                    if _e1593 {
-                                                        phi_2206_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1852 = phi_2557_;
+                                                    let _e1854 = phi_2558_;
+                                                    if _e1854 {
+                                                        phi_2562_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2206_ = _e1591;
+                                                        phi_2562_ = _e1852;
                                                     }
-                                                    let _e1595 = phi_2206_;
-                                                    if (_e1595.member_3 != 4294967295u) {
-                                                        if (_e990 == _e149) {
-                                                            phi_2523_ = false;
+                                                    let _e1856 = phi_2562_;
+                                                    if (_e1856.member_3 != 4294967295u) {
+                                                        if (_e1233 == _e153) {
+                                                            phi_2879_ = false;
                                                         } else {
-                                                            let _e1599 = (_e990 < arrayLength((&global_5.member)));
-                                                            if _e1599 {
-                                                                if _e1599 {
+                                                            let _e1860 = (_e1233 < arrayLength((&global_5.member)));
+                                                            if _e1860 {
+                                                                if _e1860 {
                                                                 } else {
-                                                                    phi_3585_ = true;
+                                                                    phi_3965_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1601 = global_5.member[_e990];
-                                                                phi_2229_ = _e1601;
+                                                                let _e1862 = global_5.member[_e1233];
+                                                                phi_2585_ = _e1862;
                                                             } else {
-                                                                phi_2229_ = 4294967295u;
+                                                                phi_2585_ = 4294967295u;
                                                             }
-                                                            let _e1603 = phi_2229_;
-                                                            let _e1604 = (_e1603 < arrayLength((&global_6.member)));
-                                                            if _e1604 {
-                                                                if _e1604 {
+                                                            let _e1864 = phi_2585_;
+                                                            let _e1865 = (_e1864 < arrayLength((&global_6.member)));
+                                                            if _e1865 {
+                                                                if _e1865 {
                                                                 } else {
-                                                                    phi_3585_ = true;
+                                                                    phi_3965_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1606 = global_6.member[_e1603];
-                                                                phi_2243_ = _e1606;
+                                                                let _e1867 = global_6.member[_e1864];
+                                                                phi_2599_ = _e1867;
                                                             } else {
-                                                                phi_2243_ = 0i;
+                                                                phi_2599_ = 0i;
                                                             }
-                                                            let _e1608 = phi_2243_;
-                                                            let _e1609 = (_e1608 == 0i);
-                                                            if _e1609 {
-                                                                phi_2522_ = true;
+                                                            let _e1869 = phi_2599_;
+                                                            let _e1870 = (_e1869 == 0i);
+                                                            if _e1870 {
+                                                                phi_2878_ = true;
                                                             } else {
-                                                                if _e378 {
-                                                                    phi_2260_ = vec3<f32>(_e1024, _e1044, _e1064);
+                                                                if _e442 {
+                                                                    phi_2616_ = vec3<f32>(_e1269, _e1291, _e1313);
                                                                 } else {
-                                                                    if (_e354 == 1u) {
-                                                                        phi_2259_ = vec3<f32>(_e1064, _e1024, _e1044);
+                                                                    if (_e418 == 1u) {
+                                                                        phi_2615_ = vec3<f32>(_e1313, _e1269, _e1291);
                                                                     } else {
-                                                                        phi_2259_ = vec3<f32>(_e1044, _e1064, _e1024);
+                                                                        phi_2615_ = vec3<f32>(_e1291, _e1313, _e1269);
                                                                     }
-                                                                    let _e1614 = phi_2259_;
-                                                                    phi_2260_ = _e1614;
+                                                                    let _e1875 = phi_2615_;
+                                                                    phi_2616_ = _e1875;
                                                                 }
-                                                                let _e1617 = phi_2260_;
-                                                                if _e378 {
-                                                                    phi_2273_ = vec3<f32>(_e1078, _e1091, _e1104);
+                                                                let _e1878 = phi_2616_;
+                                                                if _e442 {
+                                                                    phi_2629_ = vec3<f32>(_e1329, _e1344, _e1359);
                                                                 } else {
-                                                                    if (_e354 == 1u) {
-                                                                        phi_2272_ = vec3<f32>(_e1104, _e1078, _e1091);
+                                                                    if (_e418 == 1u) {
+                                                                        phi_2628_ = vec3<f32>(_e1359, _e1329, _e1344);
                                                                     } else {
-                                                                        phi_2272_ = vec3<f32>(_e1091, _e1104, _e1078);
+                                                                        phi_2628_ = vec3<f32>(_e1344, _e1359, _e1329);
                                                                     }
-                                                                    let _e1622 = phi_2272_;
-                                                                    phi_2273_ = _e1622;
+                                                                    let _e1883 = phi_2628_;
+                                                                    phi_2629_ = _e1883;
                                                                 }
-                                                                let _e1625 = phi_2273_;
-                                                                if _e378 {
-                                                                    phi_2286_ = vec3<f32>(_e1118, _e1131, _e1144);
+                                                                let _e1886 = phi_2629_;
+                                                                if _e442 {
+                                                                    phi_2642_ = vec3<f32>(_e1375, _e1390, _e1405);
                                                                 } else {
-                                                                    if (_e354 == 1u) {
-                                                                        phi_2285_ = vec3<f32>(_e1144, _e1118, _e1131);
+                                                                    if (_e418 == 1u) {
+                                                                        phi_2641_ = vec3<f32>(_e1405, _e1375, _e1390);
                                                                     } else {
-                                                                        phi_2285_ = vec3<f32>(_e1131, _e1144, _e1118);
+                                                                        phi_2641_ = vec3<f32>(_e1390, _e1405, _e1375);
                                                                     }
-                                                                    let _e1630 = phi_2285_;
-                                                                    phi_2286_ = _e1630;
+                                                                    let _e1891 = phi_2641_;
+                                                                    phi_2642_ = _e1891;
                                                                 }
-                                                                let _e1633 = phi_2286_;
-                                                                let _e1636 = (_e1625.x - _e1617.x);
-                                                                let _e1639 = (_e1625.y - _e1617.y);
-                                                                let _e1642 = (_e1625.z - _e1617.z);
-                                                                let _e1644 = (_e1633.x - _e1617.x);
-                                                                let _e1646 = (_e1633.y - _e1617.y);
-                                                                let _e1648 = (_e1633.z - _e1617.z);
-                                                                if (_e221.member_1 == 1u) {
-                                                                    phi_2322_ = (vec3<f32>(_e221.member[0], _e221.member[1], _e221.member[2]) - _e1617);
+                                                                let _e1894 = phi_2642_;
+                                                                let _e1897 = (_e1886.x - _e1878.x);
+                                                                let _e1900 = (_e1886.y - _e1878.y);
+                                                                let _e1903 = (_e1886.z - _e1878.z);
+                                                                let _e1905 = (_e1894.x - _e1878.x);
+                                                                let _e1907 = (_e1894.y - _e1878.y);
+                                                                let _e1909 = (_e1894.z - _e1878.z);
+                                                                if (_e285.member_1 == 1u) {
+                                                                    phi_2678_ = (vec3<f32>(_e285.member[0], _e285.member[1], _e285.member[2]) - _e1878);
                                                                 } else {
-                                                                    phi_2322_ = vec3<f32>(_e221.member[0], _e221.member[1], _e221.member[2]);
+                                                                    phi_2678_ = vec3<f32>(_e285.member[0], _e285.member[1], _e285.member[2]);
                                                                 }
-                                                                let _e1663 = phi_2322_;
-                                                                let _e1669 = bitcast<f32>((bitcast<u32>((_e1636 * _e1646)) ^ _e221.member_3[0]));
-                                                                let _e1673 = bitcast<f32>((bitcast<u32>((_e1639 * _e1644)) ^ _e221.member_3[0]));
-                                                                let _e1677 = bitcast<f32>((bitcast<u32>((_e1639 * _e1648)) ^ _e221.member_3[0]));
-                                                                let _e1681 = bitcast<f32>((bitcast<u32>((_e1642 * _e1646)) ^ _e221.member_3[0]));
-                                                                let _e1685 = bitcast<f32>((bitcast<u32>((_e1642 * _e1644)) ^ _e221.member_3[0]));
-                                                                let _e1689 = bitcast<f32>((bitcast<u32>((_e1636 * _e1648)) ^ _e221.member_3[0]));
-                                                                let _e1690 = (_e1677 - _e1681);
-                                                                let _e1691 = (_e1685 - _e1689);
-                                                                let _e1692 = (_e1669 - _e1673);
-                                                                let _e1716 = (bitcast<f32>((bitcast<u32>(_e1677) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1681) & 2147483647u)));
-                                                                let _e1723 = (bitcast<f32>((bitcast<u32>(_e1685) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1689) & 2147483647u)));
-                                                                let _e1730 = (bitcast<f32>((bitcast<u32>(_e1669) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1673) & 2147483647u)));
-                                                                if (_e221.member_2 == 0f) {
-                                                                    phi_2504_ = 0f;
+                                                                let _e1924 = phi_2678_;
+                                                                let _e1930 = bitcast<f32>((bitcast<u32>((_e1897 * _e1907)) ^ _e285.member_3[0]));
+                                                                let _e1934 = bitcast<f32>((bitcast<u32>((_e1900 * _e1905)) ^ _e285.member_3[0]));
+                                                                let _e1938 = bitcast<f32>((bitcast<u32>((_e1900 * _e1909)) ^ _e285.member_3[0]));
+                                                                let _e1942 = bitcast<f32>((bitcast<u32>((_e1903 * _e1907)) ^ _e285.member_3[0]));
+                                                                let _e1946 = bitcast<f32>((bitcast<u32>((_e1903 * _e1905)) ^ _e285.member_3[0]));
+                                                                let _e1950 = bitcast<f32>((bitcast<u32>((_e1897 * _e1909)) ^ _e285.member_3[0]));
+                                                                let _e1951 = (_e1938 - _e1942);
+                                                                let _e1952 = (_e1946 - _e1950);
+                                                                let _e1953 = (_e1930 - _e1934);
+                                                                let _e1977 = (bitcast<f32>((bitcast<u32>(_e1938) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1942) & 2147483647u)));
+                                                                let _e1984 = (bitcast<f32>((bitcast<u32>(_e1946) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1950) & 2147483647u)));
+                                                                let _e1991 = (bitcast<f32>((bitcast<u32>(_e1930) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1934) & 2147483647u)));
+                                                                if (_e285.member_2 == 0f) {
+                                                                    phi_2860_ = 0f;
                                                                 } else {
-                                                                    let _e1760 = bitcast<f32>((bitcast<u32>(_e1690) & 2147483647u));
-                                                                    let _e1763 = bitcast<f32>((bitcast<u32>(_e1691) & 2147483647u));
-                                                                    let _e1766 = bitcast<f32>((bitcast<u32>(_e1692) & 2147483647u));
-                                                                    let _e1768 = select(_e1766, _e1763, (_e1763 > _e1766));
-                                                                    let _e1772 = select(_e1766, _e1763, (_e1763 < _e1766));
-                                                                    let _e1776 = select(_e1763, _e1760, (_e1760 < _e1763));
-                                                                    let _e1778 = select(_e1763, _e1760, (_e1760 > _e1763));
-                                                                    let _e1780 = select(_e1766, _e1778, (_e1778 < _e1766));
-                                                                    phi_2504_ = bitcast<f32>((bitcast<u32>((_e221.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1768, _e1760, (_e1760 > _e1768)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1780, _e1776, (_e1776 > _e1780)))) ^ _e221.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1772, _e1760, (_e1760 < _e1772)))) ^ _e221.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1716 + _e1723) + _e1730))) ^ _e221.member_3[0]))) * 1.0000005f)) ^ _e221.member_3[0])))) ^ _e221.member_3[0]));
+                                                                    let _e2021 = bitcast<f32>((bitcast<u32>(_e1951) & 2147483647u));
+                                                                    let _e2024 = bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u));
+                                                                    let _e2027 = bitcast<f32>((bitcast<u32>(_e1953) & 2147483647u));
+                                                                    let _e2029 = select(_e2027, _e2024, (_e2024 > _e2027));
+                                                                    let _e2033 = select(_e2027, _e2024, (_e2024 < _e2027));
+                                                                    let _e2037 = select(_e2024, _e2021, (_e2021 < _e2024));
+                                                                    let _e2039 = select(_e2024, _e2021, (_e2021 > _e2024));
+                                                                    let _e2041 = select(_e2027, _e2039, (_e2039 < _e2027));
+                                                                    phi_2860_ = bitcast<f32>((bitcast<u32>((_e285.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2029, _e2021, (_e2021 > _e2029)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2041, _e2037, (_e2037 > _e2041)))) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2033, _e2021, (_e2021 < _e2033)))) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1977 + _e1984) + _e1991))) ^ _e285.member_3[0]))) * 1.0000005f)) ^ _e285.member_3[0])))) ^ _e285.member_3[0]));
                                                                 }
-                                                                let _e1807 = phi_2504_;
-                                                                phi_2522_ = (_e1609 || !(((((bitcast<f32>((bitcast<u32>((_e1663.x * _e1690)) ^ _e221.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1663.y * _e1691)) ^ _e221.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1663.z * _e1692)) ^ _e221.member_3[0]))) * f32(-(_e1608))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1663.x) & 2147483647u)) * _e1716)) ^ _e221.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1663.y) & 2147483647u)) * _e1723)) ^ _e221.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1663.z) & 2147483647u)) * _e1730)) ^ _e221.member_3[0]))))) ^ _e221.member_3[0])) + _e1807) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e2068 = phi_2860_;
+                                                                phi_2878_ = (_e1870 || !(((((bitcast<f32>((bitcast<u32>((_e1924.x * _e1951)) ^ _e285.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1924.y * _e1952)) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1924.z * _e1953)) ^ _e285.member_3[0]))) * f32(-(_e1869))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1924.x) & 2147483647u)) * _e1977)) ^ _e285.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1924.y) & 2147483647u)) * _e1984)) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1924.z) & 2147483647u)) * _e1991)) ^ _e285.member_3[0]))))) ^ _e285.member_3[0])) + _e2068) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1821 = phi_2522_;
-                                                            phi_2523_ = _e1821;
+                                                            let _e2082 = phi_2878_;
+                                                            phi_2879_ = _e2082;
                                                         }
-                                                        let _e1823 = phi_2523_;
-                                                        if _e1823 {
-                                                            phi_2528_ = type_40(_e962.member, true);
+                                                        let _e2084 = phi_2879_;
+                                                        if _e2084 {
+                                                            phi_2884_ = type_40(_e1205.member, true);
                                                         } else {
-                                                            phi_2528_ = _e962;
+                                                            phi_2884_ = _e1205;
                                                         }
-                                                        let _e1828 = phi_2528_;
-                                                        phi_2529_ = _e1828;
+                                                        let _e2089 = phi_2884_;
+                                                        phi_2885_ = _e2089;
                                                     } else {
-                                                        phi_2529_ = _e962;
+                                                        phi_2885_ = _e1205;
                                                     }
-                                                    let _e1830 = phi_2529_;
-                                                    phi_1065_ = _e1830;
+                                                    let _e2091 = phi_2885_;
+                                                    phi_1403_ = _e2091;
                                                 } else {
-                                                    phi_1065_ = type_40();
+                                                    phi_1403_ = type_40();
                                                 }
-                                                let _e1832 = phi_1065_;
+                                                let _e2093 = phi_1403_;
                                                 continue;
                                                 continuing {
-                                                    phi_1064_ = _e1832;
-                                                    phi_1067_ = _e977;
-                                                    phi_3585_ = _e564;
-                                                    break if !(_e983);
+                                                    phi_1402_ = _e2093;
+                                                    phi_1405_ = _e1220;
+                                                    phi_3965_ = _e783;
+                                                    break if !(_e1226);
                                                 }
                                             }
-                                            let _e1835 = phi_3585_;
-                                            phi_3769_ = _e1835;
-                                            if _e1835 {
+                                            let _e2096 = phi_3965_;
+                                            phi_4175_ = _e2096;
+                                            if _e2096 {
                                                 break;
                                             }
-                                            let _e1837 = local_10;
-                                            phi_3773_ = _e1835;
-                                            let _e2036 = local_12;
-                                            phi_3479_ = _e2036;
-                                            phi_3480_ = _e605;
-                                            phi_3481_ = false;
-                                            phi_3482_ = select(_e609, 0u, _e1837.member_1);
+                                            let _e2098 = local_10;
+                                            phi_4179_ = _e2096;
+                                            let _e2303 = local_12;
+                                            phi_3859_ = _e2303;
+                                            phi_3860_ = _e824;
+                                            phi_3861_ = false;
+                                            phi_3862_ = select(_e828, 0u, _e2098.member_1);
                                         } else {
-                                            let _e619 = (_e605.member_1 < _e89);
-                                            if _e619 {
-                                                if _e619 {
+                                            let _e838 = (_e824.member_1 < _e93);
+                                            if _e838 {
+                                                if _e838 {
                                                 } else {
-                                                    phi_3769_ = true;
+                                                    phi_4175_ = true;
                                                     break;
                                                 }
-                                                let _e621 = global_9.member[_e605.member_1];
-                                                phi_2549_ = _e621;
+                                                let _e840 = global_9.member[_e824.member_1];
+                                                phi_2905_ = _e840;
                                             } else {
-                                                phi_2549_ = type_49(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2905_ = type_49(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e623 = phi_2549_;
-                                            let _e638 = ((10u * _e354) & 31u);
-                                            let _e641 = ((_e623.member[0] >> bitcast<u32>(_e638)) & 1023u);
-                                            let _e646 = bitcast<f32>((bitcast<u32>(((_e605.member.member_1[0] - _e605.member.member[0]) * 0.0009775171f)) ^ _e132));
-                                            let _e652 = (_e605.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e641) * _e646)) ^ _e132)));
-                                            let _e656 = select(select(_e605.member.member_1[0], _e652, (_e652 < _e605.member.member_1[0])), _e605.member.member_1[0], (_e641 == 1023u));
-                                            let _e658 = ((10u * _e353) & 31u);
-                                            let _e661 = ((_e623.member[0] >> bitcast<u32>(_e658)) & 1023u);
-                                            let _e666 = bitcast<f32>((bitcast<u32>(((_e605.member.member_1[1] - _e605.member.member[1]) * 0.0009775171f)) ^ _e132));
-                                            let _e672 = (_e605.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e661) * _e666)) ^ _e132)));
-                                            let _e676 = select(select(_e605.member.member_1[1], _e672, (_e672 < _e605.member.member_1[1])), _e605.member.member_1[1], (_e661 == 1023u));
-                                            let _e678 = ((10u * _e355) & 31u);
-                                            let _e681 = ((_e623.member[0] >> bitcast<u32>(_e678)) & 1023u);
-                                            let _e686 = bitcast<f32>((bitcast<u32>(((_e605.member.member_1[2] - _e605.member.member[2]) * 0.0009775171f)) ^ _e132));
-                                            let _e692 = (_e605.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e681) * _e686)) ^ _e132)));
-                                            let _e696 = select(select(_e605.member.member_1[2], _e692, (_e692 < _e605.member.member_1[2])), _e605.member.member_1[2], (_e681 == 1023u));
-                                            let _e699 = ((_e623.member[1] >> bitcast<u32>(_e638)) & 1023u);
-                                            let _e705 = (_e605.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e699) * _e646)) ^ _e132)));
-                                            let _e709 = select(select(_e605.member.member_1[0], _e705, (_e705 < _e605.member.member_1[0])), _e605.member.member_1[0], (_e699 == 1023u));
-                                            let _e712 = ((_e623.member[1] >> bitcast<u32>(_e658)) & 1023u);
-                                            let _e718 = (_e605.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e712) * _e666)) ^ _e132)));
-                                            let _e722 = select(select(_e605.member.member_1[1], _e718, (_e718 < _e605.member.member_1[1])), _e605.member.member_1[1], (_e712 == 1023u));
-                                            let _e725 = ((_e623.member[1] >> bitcast<u32>(_e678)) & 1023u);
-                                            let _e731 = (_e605.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e725) * _e686)) ^ _e132)));
-                                            let _e735 = select(select(_e605.member.member_1[2], _e731, (_e731 < _e605.member.member_1[2])), _e605.member.member_1[2], (_e725 == 1023u));
-                                            let _e741 = ((_e623.member_1[0] >> bitcast<u32>(_e638)) & 1023u);
-                                            let _e747 = (_e605.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e741) * _e646)) ^ _e132)));
-                                            let _e751 = select(select(_e605.member.member_1[0], _e747, (_e747 < _e605.member.member_1[0])), _e605.member.member_1[0], (_e741 == 1023u));
-                                            let _e754 = ((_e623.member_1[0] >> bitcast<u32>(_e658)) & 1023u);
-                                            let _e760 = (_e605.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e754) * _e666)) ^ _e132)));
-                                            let _e764 = select(select(_e605.member.member_1[1], _e760, (_e760 < _e605.member.member_1[1])), _e605.member.member_1[1], (_e754 == 1023u));
-                                            let _e767 = ((_e623.member_1[0] >> bitcast<u32>(_e678)) & 1023u);
-                                            let _e773 = (_e605.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e767) * _e686)) ^ _e132)));
-                                            let _e777 = select(select(_e605.member.member_1[2], _e773, (_e773 < _e605.member.member_1[2])), _e605.member.member_1[2], (_e767 == 1023u));
-                                            let _e780 = ((_e623.member_1[1] >> bitcast<u32>(_e638)) & 1023u);
-                                            let _e786 = (_e605.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e780) * _e646)) ^ _e132)));
-                                            let _e790 = select(select(_e605.member.member_1[0], _e786, (_e786 < _e605.member.member_1[0])), _e605.member.member_1[0], (_e780 == 1023u));
-                                            let _e793 = ((_e623.member_1[1] >> bitcast<u32>(_e658)) & 1023u);
-                                            let _e799 = (_e605.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e793) * _e666)) ^ _e132)));
-                                            let _e803 = select(select(_e605.member.member_1[1], _e799, (_e799 < _e605.member.member_1[1])), _e605.member.member_1[1], (_e793 == 1023u));
-                                            let _e806 = ((_e623.member_1[1] >> bitcast<u32>(_e678)) & 1023u);
-                                            let _e812 = (_e605.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e806) * _e686)) ^ _e132)));
-                                            let _e816 = select(select(_e605.member.member_1[2], _e812, (_e812 < _e605.member.member_1[2])), _e605.member.member_1[2], (_e806 == 1023u));
-                                            let _e821 = type_62(type_54(array<f32, 3>(_e656, _e676, _e696), array<f32, 3>(_e709, _e722, _e735)), _e623.member_2);
-                                            let _e826 = type_62(type_54(array<f32, 3>(_e751, _e764, _e777), array<f32, 3>(_e790, _e803, _e816)), _e623.member_3);
-                                            let _e832 = ((_e656 - _e409) * _e414);
-                                            let _e833 = ((_e751 - _e409) * _e414);
-                                            let _e834 = ((_e709 - _e410) * _e414);
-                                            let _e835 = ((_e790 - _e410) * _e414);
-                                            let _e840 = ((_e676 - _e445) * _e450);
-                                            let _e841 = ((_e764 - _e445) * _e450);
-                                            let _e842 = ((_e722 - _e446) * _e450);
-                                            let _e843 = ((_e803 - _e446) * _e450);
-                                            let _e848 = ((_e696 - _e481) * _e486);
-                                            let _e849 = ((_e777 - _e481) * _e486);
-                                            let _e850 = ((_e735 - _e482) * _e486);
-                                            let _e851 = ((_e816 - _e482) * _e486);
-                                            let _e853 = select(_e850, _e848, (_e848 < _e850));
-                                            let _e855 = select(_e851, _e849, (_e849 < _e851));
-                                            let _e857 = select(_e850, _e848, (_e848 > _e850));
-                                            let _e859 = select(_e851, _e849, (_e849 > _e851));
-                                            let _e861 = select(_e834, _e832, (_e832 < _e834));
-                                            let _e863 = select(_e835, _e833, (_e833 < _e835));
-                                            let _e865 = select(_e842, _e840, (_e840 < _e842));
-                                            let _e867 = select(_e843, _e841, (_e841 < _e843));
-                                            let _e869 = select(_e865, _e861, (_e861 > _e865));
-                                            let _e871 = select(_e867, _e863, (_e863 > _e867));
-                                            let _e873 = select(_e853, _e869, (_e869 > _e853));
-                                            let _e875 = select(_e855, _e871, (_e871 > _e855));
-                                            let _e877 = select(_e834, _e832, (_e832 > _e834));
-                                            let _e879 = select(_e835, _e833, (_e833 > _e835));
-                                            let _e881 = select(_e842, _e840, (_e840 > _e842));
-                                            let _e883 = select(_e843, _e841, (_e841 > _e843));
-                                            let _e885 = select(_e881, _e877, (_e877 < _e881));
-                                            let _e887 = select(_e883, _e879, (_e879 < _e883));
-                                            let _e892 = -(_e853);
-                                            let _e893 = -(_e855);
-                                            let _e900 = (select(_e857, _e885, (_e885 < _e857)) + (select(_e892, _e857, (_e857 > _e892)) * 0.0000019073523f));
-                                            let _e901 = (select(_e859, _e887, (_e887 < _e859)) + (select(_e893, _e859, (_e859 > _e893)) * 0.0000019073523f));
-                                            let _e903 = select(_e532, _e873, (_e873 > _e532));
-                                            let _e905 = select(_e532, _e875, (_e875 > _e532));
-                                            let _e910 = (_e903 <= select(_e566.member, _e900, (_e900 < _e566.member)));
-                                            let _e911 = (_e905 <= select(_e566.member, _e901, (_e901 < _e566.member)));
-                                            let _e912 = (_e903 <= _e905);
-                                            if _e910 {
-                                                if _e911 {
-                                                    if _e912 {
-                                                        phi_3381_ = _e826;
+                                            let _e842 = phi_2905_;
+                                            let _e857 = ((10u * _e418) & 31u);
+                                            let _e860 = ((_e842.member[0] >> bitcast<u32>(_e857)) & 1023u);
+                                            let _e868 = bitcast<f32>((bitcast<u32>(((_e824.member.member_1[0] - _e824.member.member[0]) * 0.0009775171f)) ^ _e136));
+                                            let _e873 = (_e824.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e860)) - 8388608f) * _e868)) ^ _e136)));
+                                            let _e877 = select(select(_e824.member.member_1[0], _e873, (_e873 < _e824.member.member_1[0])), _e824.member.member_1[0], (_e860 == 1023u));
+                                            let _e879 = ((10u * _e417) & 31u);
+                                            let _e882 = ((_e842.member[0] >> bitcast<u32>(_e879)) & 1023u);
+                                            let _e890 = bitcast<f32>((bitcast<u32>(((_e824.member.member_1[1] - _e824.member.member[1]) * 0.0009775171f)) ^ _e136));
+                                            let _e895 = (_e824.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e882)) - 8388608f) * _e890)) ^ _e136)));
+                                            let _e899 = select(select(_e824.member.member_1[1], _e895, (_e895 < _e824.member.member_1[1])), _e824.member.member_1[1], (_e882 == 1023u));
+                                            let _e901 = ((10u * _e419) & 31u);
+                                            let _e904 = ((_e842.member[0] >> bitcast<u32>(_e901)) & 1023u);
+                                            let _e912 = bitcast<f32>((bitcast<u32>(((_e824.member.member_1[2] - _e824.member.member[2]) * 0.0009775171f)) ^ _e136));
+                                            let _e917 = (_e824.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e904)) - 8388608f) * _e912)) ^ _e136)));
+                                            let _e921 = select(select(_e824.member.member_1[2], _e917, (_e917 < _e824.member.member_1[2])), _e824.member.member_1[2], (_e904 == 1023u));
+                                            let _e924 = ((_e842.member[1] >> bitcast<u32>(_e857)) & 1023u);
+                                            let _e932 = (_e824.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e924)) - 8388608f) * _e868)) ^ _e136)));
+                                            let _e936 = select(select(_e824.member.member_1[0], _e932, (_e932 < _e824.member.member_1[0])), _e824.member.member_1[0], (_e924 == 1023u));
+                                            let _e939 = ((_e842.member[1] >> bitcast<u32>(_e879)) & 1023u);
+                                            let _e947 = (_e824.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e939)) - 8388608f) * _e890)) ^ _e136)));
+                                            let _e951 = select(select(_e824.member.member_1[1], _e947, (_e947 < _e824.member.member_1[1])), _e824.member.member_1[1], (_e939 == 1023u));
+                                            let _e954 = ((_e842.member[1] >> bitcast<u32>(_e901)) & 1023u);
+                                            let _e962 = (_e824.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e954)) - 8388608f) * _e912)) ^ _e136)));
+                                            let _e966 = select(select(_e824.member.member_1[2], _e962, (_e962 < _e824.member.member_1[2])), _e824.member.member_1[2], (_e954 == 1023u));
+                                            let _e972 = ((_e842.member_1[0] >> bitcast<u32>(_e857)) & 1023u);
+                                            let _e980 = (_e824.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e972)) - 8388608f) * _e868)) ^ _e136)));
+                                            let _e984 = select(select(_e824.member.member_1[0], _e980, (_e980 < _e824.member.member_1[0])), _e824.member.member_1[0], (_e972 == 1023u));
+                                            let _e987 = ((_e842.member_1[0] >> bitcast<u32>(_e879)) & 1023u);
+                                            let _e995 = (_e824.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e987)) - 8388608f) * _e890)) ^ _e136)));
+                                            let _e999 = select(select(_e824.member.member_1[1], _e995, (_e995 < _e824.member.member_1[1])), _e824.member.member_1[1], (_e987 == 1023u));
+                                            let _e1002 = ((_e842.member_1[0] >> bitcast<u32>(_e901)) & 1023u);
+                                            let _e1010 = (_e824.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1002)) - 8388608f) * _e912)) ^ _e136)));
+                                            let _e1014 = select(select(_e824.member.member_1[2], _e1010, (_e1010 < _e824.member.member_1[2])), _e824.member.member_1[2], (_e1002 == 1023u));
+                                            let _e1017 = ((_e842.member_1[1] >> bitcast<u32>(_e857)) & 1023u);
+                                            let _e1025 = (_e824.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1017)) - 8388608f) * _e868)) ^ _e136)));
+                                            let _e1029 = select(select(_e824.member.member_1[0], _e1025, (_e1025 < _e824.member.member_1[0])), _e824.member.member_1[0], (_e1017 == 1023u));
+                                            let _e1032 = ((_e842.member_1[1] >> bitcast<u32>(_e879)) & 1023u);
+                                            let _e1040 = (_e824.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1032)) - 8388608f) * _e890)) ^ _e136)));
+                                            let _e1044 = select(select(_e824.member.member_1[1], _e1040, (_e1040 < _e824.member.member_1[1])), _e824.member.member_1[1], (_e1032 == 1023u));
+                                            let _e1047 = ((_e842.member_1[1] >> bitcast<u32>(_e901)) & 1023u);
+                                            let _e1055 = (_e824.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1047)) - 8388608f) * _e912)) ^ _e136)));
+                                            let _e1059 = select(select(_e824.member.member_1[2], _e1055, (_e1055 < _e824.member.member_1[2])), _e824.member.member_1[2], (_e1047 == 1023u));
+                                            let _e1064 = type_62(type_54(array<f32, 3>(_e877, _e899, _e921), array<f32, 3>(_e936, _e951, _e966)), _e842.member_2);
+                                            let _e1069 = type_62(type_54(array<f32, 3>(_e984, _e999, _e1014), array<f32, 3>(_e1029, _e1044, _e1059)), _e842.member_3);
+                                            let _e1075 = ((_e877 - _e503) * _e508);
+                                            let _e1076 = ((_e984 - _e503) * _e508);
+                                            let _e1077 = ((_e936 - _e504) * _e508);
+                                            let _e1078 = ((_e1029 - _e504) * _e508);
+                                            let _e1083 = ((_e899 - _e569) * _e574);
+                                            let _e1084 = ((_e999 - _e569) * _e574);
+                                            let _e1085 = ((_e951 - _e570) * _e574);
+                                            let _e1086 = ((_e1044 - _e570) * _e574);
+                                            let _e1091 = ((_e921 - _e635) * _e640);
+                                            let _e1092 = ((_e1014 - _e635) * _e640);
+                                            let _e1093 = ((_e966 - _e636) * _e640);
+                                            let _e1094 = ((_e1059 - _e636) * _e640);
+                                            let _e1096 = select(_e1093, _e1091, (_e1091 < _e1093));
+                                            let _e1098 = select(_e1094, _e1092, (_e1092 < _e1094));
+                                            let _e1100 = select(_e1093, _e1091, (_e1091 > _e1093));
+                                            let _e1102 = select(_e1094, _e1092, (_e1092 > _e1094));
+                                            let _e1104 = select(_e1077, _e1075, (_e1075 < _e1077));
+                                            let _e1106 = select(_e1078, _e1076, (_e1076 < _e1078));
+                                            let _e1108 = select(_e1085, _e1083, (_e1083 < _e1085));
+                                            let _e1110 = select(_e1086, _e1084, (_e1084 < _e1086));
+                                            let _e1112 = select(_e1108, _e1104, (_e1104 > _e1108));
+                                            let _e1114 = select(_e1110, _e1106, (_e1106 > _e1110));
+                                            let _e1116 = select(_e1096, _e1112, (_e1112 > _e1096));
+                                            let _e1118 = select(_e1098, _e1114, (_e1114 > _e1098));
+                                            let _e1120 = select(_e1077, _e1075, (_e1075 > _e1077));
+                                            let _e1122 = select(_e1078, _e1076, (_e1076 > _e1078));
+                                            let _e1124 = select(_e1085, _e1083, (_e1083 > _e1085));
+                                            let _e1126 = select(_e1086, _e1084, (_e1084 > _e1086));
+                                            let _e1128 = select(_e1124, _e1120, (_e1120 < _e1124));
+                                            let _e1130 = select(_e1126, _e1122, (_e1122 < _e1126));
+                                            let _e1135 = -(_e1096);
+                                            let _e1136 = -(_e1098);
+                                            let _e1143 = (select(_e1100, _e1128, (_e1128 < _e1100)) + (select(_e1135, _e1100, (_e1100 > _e1135)) * 0.0000019073523f));
+                                            let _e1144 = (select(_e1102, _e1130, (_e1130 < _e1102)) + (select(_e1136, _e1102, (_e1102 > _e1136)) * 0.0000019073523f));
+                                            let _e1146 = select(_e751, _e1116, (_e1116 > _e751));
+                                            let _e1148 = select(_e751, _e1118, (_e1118 > _e751));
+                                            let _e1153 = (_e1146 <= select(_e785.member, _e1143, (_e1143 < _e785.member)));
+                                            let _e1154 = (_e1148 <= select(_e785.member, _e1144, (_e1144 < _e785.member)));
+                                            let _e1155 = (_e1146 <= _e1148);
+                                            if _e1153 {
+                                                if _e1154 {
+                                                    if _e1155 {
+                                                        phi_3761_ = _e1069;
                                                     } else {
-                                                        phi_3381_ = _e821;
+                                                        phi_3761_ = _e1064;
                                                     }
-                                                    let _e914 = phi_3381_;
-                                                    let _e922 = (_e609 % 128u);
-                                                    let _e923 = (_e922 < 128u);
-                                                    if _e923 {
+                                                    let _e1157 = phi_3761_;
+                                                    let _e1165 = (_e828 % 128u);
+                                                    let _e1166 = (_e1165 < 128u);
+                                                    if _e1166 {
                                                     } else {
-                                                        phi_3769_ = true;
+                                                        phi_4175_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e922] = _e914.member_1;
-                                                    if _e923 {
+                                                    local_6[_e1165] = _e1157.member_1;
+                                                    if _e1166 {
                                                     } else {
-                                                        phi_3769_ = true;
+                                                        phi_4175_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e922] = _e914.member.member[0];
-                                                    if _e923 {
+                                                    local_5[_e1165] = _e1157.member.member[0];
+                                                    if _e1166 {
                                                     } else {
-                                                        phi_3769_ = true;
+                                                        phi_4175_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e922] = _e914.member.member[1];
-                                                    if _e923 {
+                                                    local_4[_e1165] = _e1157.member.member[1];
+                                                    if _e1166 {
                                                     } else {
-                                                        phi_3769_ = true;
+                                                        phi_4175_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e922] = _e914.member.member[2];
-                                                    if _e923 {
+                                                    local_3[_e1165] = _e1157.member.member[2];
+                                                    if _e1166 {
                                                     } else {
-                                                        phi_3769_ = true;
+                                                        phi_4175_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e922] = _e914.member.member_1[0];
-                                                    if _e923 {
+                                                    local_2[_e1165] = _e1157.member.member_1[0];
+                                                    if _e1166 {
                                                     } else {
-                                                        phi_3769_ = true;
+                                                        phi_4175_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e922] = _e914.member.member_1[1];
-                                                    if _e923 {
+                                                    local_1[_e1165] = _e1157.member.member_1[1];
+                                                    if _e1166 {
                                                     } else {
-                                                        phi_3769_ = true;
+                                                        phi_4175_ = true;
                                                         break;
                                                     }
-                                                    local[_e922] = _e914.member.member_1[2];
-                                                    if _e923 {
+                                                    local[_e1165] = _e1157.member.member_1[2];
+                                                    if _e1166 {
                                                     } else {
-                                                        phi_3769_ = true;
+                                                        phi_4175_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e922] = select(_e905, _e903, (_e903 > _e905));
-                                                    if _e912 {
-                                                        phi_3458_ = _e821;
+                                                    local_7[_e1165] = select(_e1148, _e1146, (_e1146 > _e1148));
+                                                    if _e1155 {
+                                                        phi_3838_ = _e1064;
                                                     } else {
-                                                        phi_3458_ = _e826;
+                                                        phi_3838_ = _e1069;
                                                     }
-                                                    let _e940 = phi_3458_;
-                                                    phi_3459_ = _e940;
-                                                    phi_3460_ = (_e609 + 1u);
+                                                    let _e1183 = phi_3838_;
+                                                    phi_3839_ = _e1183;
+                                                    phi_3840_ = (_e828 + 1u);
                                                 } else {
-                                                    phi_3459_ = type_62();
-                                                    phi_3460_ = u32();
+                                                    phi_3839_ = type_62();
+                                                    phi_3840_ = u32();
                                                 }
-                                                let _e942 = phi_3459_;
-                                                let _e944 = phi_3460_;
-                                                phi_3462_ = _e942;
-                                                phi_3463_ = _e944;
-                                                phi_3464_ = select(true, false, _e911);
+                                                let _e1185 = phi_3839_;
+                                                let _e1187 = phi_3840_;
+                                                phi_3842_ = _e1185;
+                                                phi_3843_ = _e1187;
+                                                phi_3844_ = select(true, false, _e1154);
                                             } else {
-                                                phi_3462_ = type_62();
-                                                phi_3463_ = u32();
-                                                phi_3464_ = true;
+                                                phi_3842_ = type_62();
+                                                phi_3843_ = u32();
+                                                phi_3844_ = true;
                                             }
-                                            let _e947 = phi_3462_;
-                                            let _e949 = phi_3463_;
-                                            let _e951 = phi_3464_;
-                                            if _e951 {
-                                                if _e910 {
-                                                    phi_3471_ = _e821;
+                                            let _e1190 = phi_3842_;
+                                            let _e1192 = phi_3843_;
+                                            let _e1194 = phi_3844_;
+                                            if _e1194 {
+                                                if _e1153 {
+                                                    phi_3851_ = _e1064;
                                                 } else {
-                                                    phi_3471_ = _e826;
+                                                    phi_3851_ = _e1069;
                                                 }
-                                                let _e953 = phi_3471_;
-                                                phi_3476_ = _e953;
-                                                phi_3477_ = select(_e911, true, _e910);
+                                                let _e1196 = phi_3851_;
+                                                phi_3856_ = _e1196;
+                                                phi_3857_ = select(_e1154, true, _e1153);
                                             } else {
-                                                phi_3476_ = _e947;
-                                                phi_3477_ = _e607;
+                                                phi_3856_ = _e1190;
+                                                phi_3857_ = _e826;
                                             }
-                                            let _e956 = phi_3476_;
-                                            let _e958 = phi_3477_;
-                                            phi_3773_ = _e564;
-                                            phi_3479_ = _e566;
-                                            phi_3480_ = _e956;
-                                            phi_3481_ = _e958;
-                                            phi_3482_ = select(_e949, _e609, _e951);
+                                            let _e1199 = phi_3856_;
+                                            let _e1201 = phi_3857_;
+                                            phi_4179_ = _e783;
+                                            phi_3859_ = _e785;
+                                            phi_3860_ = _e1199;
+                                            phi_3861_ = _e1201;
+                                            phi_3862_ = select(_e1192, _e828, _e1194);
                                         }
-                                        let _e1841 = phi_3773_;
-                                        let _e1843 = phi_3479_;
-                                        let _e1845 = phi_3480_;
-                                        let _e1847 = phi_3481_;
-                                        let _e1849 = phi_3482_;
-                                        phi_3772_ = _e1841;
-                                        phi_3483_ = _e1843;
-                                        phi_3484_ = _e1845;
-                                        phi_3485_ = (_e570 - 1u);
-                                        phi_3486_ = _e1847;
-                                        phi_3487_ = _e1849;
+                                        let _e2102 = phi_4179_;
+                                        let _e2104 = phi_3859_;
+                                        let _e2106 = phi_3860_;
+                                        let _e2108 = phi_3861_;
+                                        let _e2110 = phi_3862_;
+                                        phi_4178_ = _e2102;
+                                        phi_3863_ = _e2104;
+                                        phi_3864_ = _e2106;
+                                        phi_3865_ = (_e789 - 1u);
+                                        phi_3866_ = _e2108;
+                                        phi_3867_ = _e2110;
                                     } else {
-                                        phi_3772_ = _e564;
-                                        phi_3483_ = _e566;
-                                        phi_3484_ = _e605;
-                                        phi_3485_ = _e570;
-                                        phi_3486_ = _e607;
-                                        phi_3487_ = _e609;
+                                        phi_4178_ = _e783;
+                                        phi_3863_ = _e785;
+                                        phi_3864_ = _e824;
+                                        phi_3865_ = _e789;
+                                        phi_3866_ = _e826;
+                                        phi_3867_ = _e828;
                                     }
-                                    let _e1851 = phi_3772_;
-                                    let _e1853 = phi_3483_;
-                                    let _e1855 = phi_3484_;
-                                    let _e1857 = phi_3485_;
-                                    let _e1859 = phi_3486_;
-                                    let _e1861 = phi_3487_;
-                                    phi_3771_ = _e1851;
-                                    phi_3488_ = _e1853;
-                                    phi_3489_ = _e1855;
-                                    phi_3490_ = _e1857;
-                                    phi_3491_ = _e1859;
-                                    phi_3492_ = _e1861;
+                                    let _e2112 = phi_4178_;
+                                    let _e2114 = phi_3863_;
+                                    let _e2116 = phi_3864_;
+                                    let _e2118 = phi_3865_;
+                                    let _e2120 = phi_3866_;
+                                    let _e2122 = phi_3867_;
+                                    phi_4177_ = _e2112;
+                                    phi_3868_ = _e2114;
+                                    phi_3869_ = _e2116;
+                                    phi_3870_ = _e2118;
+                                    phi_3871_ = _e2120;
+                                    phi_3872_ = _e2122;
                                 } else {
-                                    phi_3771_ = _e564;
-                                    phi_3488_ = type_40();
-                                    phi_3489_ = type_62();
-                                    phi_3490_ = u32();
-                                    phi_3491_ = bool();
-                                    phi_3492_ = u32();
+                                    phi_4177_ = _e783;
+                                    phi_3868_ = type_40();
+                                    phi_3869_ = type_62();
+                                    phi_3870_ = u32();
+                                    phi_3871_ = bool();
+                                    phi_3872_ = u32();
                                 }
-                                let _e1863 = phi_3771_;
-                                let _e1865 = phi_3488_;
-                                let _e1867 = phi_3489_;
-                                let _e1869 = phi_3490_;
-                                let _e1871 = phi_3491_;
-                                let _e1873 = phi_3492_;
-                                phi_3770_ = _e1863;
-                                phi_938_ = _e1865;
-                                phi_941_ = _e1867;
-                                phi_943_ = _e1869;
-                                phi_945_ = _e1871;
-                                phi_947_ = _e1873;
-                                phi_3493_ = _e578;
+                                let _e2124 = phi_4177_;
+                                let _e2126 = phi_3868_;
+                                let _e2128 = phi_3869_;
+                                let _e2130 = phi_3870_;
+                                let _e2132 = phi_3871_;
+                                let _e2134 = phi_3872_;
+                                phi_4176_ = _e2124;
+                                phi_1276_ = _e2126;
+                                phi_1279_ = _e2128;
+                                phi_1281_ = _e2130;
+                                phi_1283_ = _e2132;
+                                phi_1285_ = _e2134;
+                                phi_3873_ = _e797;
                             } else {
-                                phi_3770_ = _e564;
-                                phi_938_ = type_40();
-                                phi_941_ = type_62();
-                                phi_943_ = u32();
-                                phi_945_ = bool();
-                                phi_947_ = u32();
-                                phi_3493_ = false;
+                                phi_4176_ = _e783;
+                                phi_1276_ = type_40();
+                                phi_1279_ = type_62();
+                                phi_1281_ = u32();
+                                phi_1283_ = bool();
+                                phi_1285_ = u32();
+                                phi_3873_ = false;
                             }
-                            let _e1875 = phi_3770_;
-                            let _e1877 = phi_938_;
-                            let _e1879 = phi_941_;
-                            let _e1881 = phi_943_;
-                            let _e1883 = phi_945_;
-                            let _e1885 = phi_947_;
-                            let _e1887 = phi_3493_;
+                            let _e2136 = phi_4176_;
+                            let _e2138 = phi_1276_;
+                            let _e2140 = phi_1279_;
+                            let _e2142 = phi_1281_;
+                            let _e2144 = phi_1283_;
+                            let _e2146 = phi_1285_;
+                            let _e2148 = phi_3873_;
                             continue;
                             continuing {
-                                phi_3591_ = _e1875;
-                                phi_937_ = _e1877;
-                                phi_940_ = _e1879;
-                                phi_942_ = _e1881;
-                                phi_944_ = _e1883;
-                                phi_946_ = _e1885;
-                                phi_3769_ = _e1875;
-                                break if !(_e1887);
+                                phi_3971_ = _e2136;
+                                phi_1275_ = _e2138;
+                                phi_1278_ = _e2140;
+                                phi_1280_ = _e2142;
+                                phi_1282_ = _e2144;
+                                phi_1284_ = _e2146;
+                                phi_4175_ = _e2136;
+                                break if !(_e2148);
                             }
                         }
-                        let _e1890 = phi_3769_;
-                        if _e1890 {
+                        let _e2151 = phi_4175_;
+                        if _e2151 {
                             break;
                         }
-                        let _e1892 = local_11;
-                        if _e1892.member_1 {
+                        let _e2153 = local_11;
+                        if _e2153.member_1 {
                         } else {
-                            if _e222 {
+                            if _e286 {
                             } else {
                                 break;
                             }
-                            let _e1896 = global_2.member[_e136];
-                            if _e143 {
+                            let _e2157 = global_2.member[_e140];
+                            if _e147 {
                             } else {
                                 break;
                             }
-                            let _e1900 = global_8.member[_e136].member_1;
-                            if _e222 {
+                            let _e2161 = global_8.member[_e140].member_1;
+                            if _e286 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e136] = type_24(_e1896.member, _e1896.member_1, _e1896.member_2, array<f32, 3>((_e1896.member_3[0] + (_e1900[0] * _e1896.member_1[0])), (_e1896.member_3[1] + (_e1900[1] * _e1896.member_1[1])), (_e1896.member_3[2] + (_e1900[2] * _e1896.member_1[2]))), _e1896.member_4);
+                            global_2.member[_e140] = type_24(_e2157.member, _e2157.member_1, _e2157.member_2, array<f32, 3>((_e2157.member_3[0] + (_e2161[0] * _e2157.member_1[0])), (_e2157.member_3[1] + (_e2161[1] * _e2157.member_1[1])), (_e2157.member_3[2] + (_e2161[2] * _e2157.member_1[2]))), _e2157.member_4);
                         }
                     }
                 }

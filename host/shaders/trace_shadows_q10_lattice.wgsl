@@ -124,496 +124,567 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_335_: u32;
-    var phi_379_: i32;
-    var phi_403_: type_40;
-    var phi_553_: i32;
-    var phi_554_: i32;
-    var phi_564_: bool;
-    var phi_574_: u32;
-    var phi_575_: u32;
-    var phi_577_: bool;
-    var phi_582_: u32;
-    var phi_614_: i32;
-    var phi_632_: f32;
-    var phi_638_: f32;
-    var phi_649_: f32;
-    var phi_655_: f32;
-    var phi_678_: f32;
-    var phi_689_: f32;
-    var phi_698_: f32;
-    var phi_704_: f32;
-    var phi_715_: f32;
-    var phi_721_: f32;
-    var phi_744_: f32;
-    var phi_755_: f32;
-    var phi_764_: f32;
-    var phi_770_: f32;
-    var phi_781_: f32;
-    var phi_787_: f32;
-    var phi_810_: f32;
-    var phi_821_: f32;
-    var phi_921_: f32;
-    var phi_922_: f32;
-    var phi_4537_: bool;
-    var phi_1011_: type_46;
-    var phi_1014_: type_58;
-    var phi_1016_: u32;
-    var phi_1018_: bool;
-    var phi_1020_: u32;
-    var phi_1031_: bool;
-    var phi_1117_: type_58;
-    var phi_1118_: bool;
-    var phi_1119_: u32;
-    var phi_3530_: u32;
-    var phi_3536_: u32;
-    var phi_3790_: u32;
-    var phi_3791_: u32;
-    var phi_3801_: u32;
-    var phi_3803_: u32;
-    var phi_3804_: bool;
-    var phi_3824_: u32;
-    var phi_3825_: u32;
-    var phi_3829_: type_59;
-    var phi_4173_: type_58;
-    var phi_4250_: type_58;
-    var phi_4251_: type_58;
-    var phi_4252_: u32;
-    var phi_4254_: type_58;
-    var phi_4255_: u32;
-    var phi_4256_: bool;
-    var phi_4265_: type_58;
-    var phi_4270_: type_58;
-    var phi_4271_: bool;
-    var phi_1138_: type_46;
-    var phi_1141_: type_8;
-    var phi_1142_: type_8;
-    var phi_1164_: type_8;
-    var phi_1205_: u32;
-    var phi_1211_: u32;
-    var phi_1221_: u32;
-    var phi_1237_: u32;
-    var phi_1270_: u32;
-    var phi_1276_: u32;
-    var phi_1703_: u32;
-    var phi_1721_: u32;
-    var phi_1739_: u32;
-    var phi_1759_: u32;
-    var phi_1777_: u32;
-    var phi_1795_: u32;
-    var phi_1815_: u32;
-    var phi_1833_: u32;
-    var phi_1851_: u32;
-    var phi_1429_: u32;
-    var phi_1444_: u32;
-    var phi_1454_: u32;
-    var phi_1474_: u32;
-    var phi_1494_: u32;
-    var phi_1520_: u32;
-    var phi_1535_: u32;
-    var phi_1545_: u32;
-    var phi_1565_: u32;
-    var phi_1585_: u32;
-    var phi_1611_: u32;
-    var phi_1626_: u32;
-    var phi_1636_: u32;
-    var phi_1656_: u32;
-    var phi_1676_: u32;
-    var phi_1300_: u32;
-    var phi_1343_: u32;
-    var phi_1386_: u32;
-    var phi_1857_: array<array<f32, 3>, 3>;
-    var phi_1974_: bool;
-    var phi_2003_: bool;
-    var phi_2404_: f32;
-    var phi_2405_: f32;
-    var phi_2406_: f32;
-    var phi_2407_: f32;
-    var phi_2408_: vec3<f32>;
-    var phi_2409_: vec3<f32>;
-    var phi_2410_: vec3<f32>;
-    var phi_2411_: vec3<f32>;
-    var phi_2442_: bool;
-    var phi_2451_: vec3<f32>;
-    var phi_2616_: f32;
-    var phi_2618_: f32;
-    var phi_2619_: bool;
-    var phi_2639_: f32;
-    var phi_2640_: f32;
-    var phi_2663_: type_25;
-    var phi_2665_: type_25;
-    var phi_2666_: bool;
-    var phi_2670_: type_25;
-    var phi_2671_: type_25;
-    var phi_2672_: type_25;
-    var phi_2673_: bool;
-    var phi_2677_: type_25;
-    var phi_2678_: bool;
-    var phi_2679_: type_25;
-    var phi_2680_: bool;
-    var phi_2681_: bool;
-    var phi_2682_: type_25;
-    var phi_2683_: bool;
-    var phi_2684_: bool;
-    var phi_2692_: type_25;
-    var phi_2693_: bool;
-    var phi_2697_: type_25;
-    var phi_2720_: u32;
-    var phi_2734_: i32;
-    var phi_2754_: vec3<f32>;
-    var phi_2755_: vec3<f32>;
-    var phi_2771_: vec3<f32>;
-    var phi_2772_: vec3<f32>;
-    var phi_2788_: vec3<f32>;
-    var phi_2789_: vec3<f32>;
-    var phi_2825_: vec3<f32>;
-    var phi_3007_: f32;
-    var phi_3025_: bool;
-    var phi_3026_: bool;
-    var phi_3031_: type_46;
-    var phi_3032_: type_46;
-    var phi_1139_: type_46;
-    var phi_4531_: bool;
+    var phi_337_: u32;
+    var phi_381_: i32;
+    var phi_521_: type_40;
+    var phi_671_: i32;
+    var phi_672_: i32;
+    var phi_682_: bool;
+    var phi_692_: u32;
+    var phi_693_: u32;
+    var phi_695_: bool;
+    var phi_700_: u32;
+    var phi_732_: i32;
+    var phi_750_: f32;
+    var phi_756_: f32;
+    var phi_796_: f32;
+    var phi_802_: f32;
+    var phi_854_: f32;
+    var phi_865_: f32;
+    var phi_874_: f32;
+    var phi_880_: f32;
+    var phi_920_: f32;
+    var phi_926_: f32;
+    var phi_978_: f32;
+    var phi_989_: f32;
+    var phi_998_: f32;
+    var phi_1004_: f32;
+    var phi_1044_: f32;
+    var phi_1050_: f32;
+    var phi_1102_: f32;
+    var phi_1113_: f32;
+    var phi_1168_: i32;
+    var phi_1190_: u32;
+    var phi_1191_: u32;
+    var phi_1228_: i32;
+    var phi_1250_: u32;
+    var phi_1251_: u32;
+    var phi_1259_: f32;
+    var phi_1260_: f32;
+    var phi_4901_: bool;
+    var phi_1349_: type_46;
+    var phi_1352_: type_58;
+    var phi_1354_: u32;
+    var phi_1356_: bool;
+    var phi_1358_: u32;
+    var phi_1369_: bool;
+    var phi_1455_: type_58;
+    var phi_1456_: bool;
+    var phi_1457_: u32;
+    var phi_3886_: u32;
+    var phi_3892_: u32;
+    var phi_4146_: u32;
+    var phi_4147_: u32;
+    var phi_4157_: u32;
+    var phi_4159_: u32;
+    var phi_4160_: bool;
+    var phi_4180_: u32;
+    var phi_4181_: u32;
+    var phi_4185_: type_59;
+    var phi_4529_: type_58;
+    var phi_4606_: type_58;
+    var phi_4607_: type_58;
+    var phi_4608_: u32;
+    var phi_4610_: type_58;
+    var phi_4611_: u32;
+    var phi_4612_: bool;
+    var phi_4621_: type_58;
+    var phi_4626_: type_58;
+    var phi_4627_: bool;
+    var phi_1476_: type_46;
+    var phi_1479_: type_8;
+    var phi_1480_: type_8;
+    var phi_1502_: type_8;
+    var phi_1543_: u32;
+    var phi_1549_: u32;
+    var phi_1559_: u32;
+    var phi_1575_: u32;
+    var phi_1608_: u32;
+    var phi_1614_: u32;
+    var phi_2059_: u32;
+    var phi_2077_: u32;
+    var phi_2095_: u32;
+    var phi_2115_: u32;
+    var phi_2133_: u32;
+    var phi_2151_: u32;
+    var phi_2171_: u32;
+    var phi_2189_: u32;
+    var phi_2207_: u32;
+    var phi_1776_: u32;
+    var phi_1791_: u32;
+    var phi_1801_: u32;
+    var phi_1822_: u32;
+    var phi_1843_: u32;
+    var phi_1870_: u32;
+    var phi_1885_: u32;
+    var phi_1895_: u32;
+    var phi_1916_: u32;
+    var phi_1937_: u32;
+    var phi_1964_: u32;
+    var phi_1979_: u32;
+    var phi_1989_: u32;
+    var phi_2010_: u32;
+    var phi_2031_: u32;
+    var phi_1638_: u32;
+    var phi_1684_: u32;
+    var phi_1730_: u32;
+    var phi_2213_: array<array<f32, 3>, 3>;
+    var phi_2330_: bool;
+    var phi_2359_: bool;
+    var phi_2760_: f32;
+    var phi_2761_: f32;
+    var phi_2762_: f32;
+    var phi_2763_: f32;
+    var phi_2764_: vec3<f32>;
+    var phi_2765_: vec3<f32>;
+    var phi_2766_: vec3<f32>;
+    var phi_2767_: vec3<f32>;
+    var phi_2798_: bool;
+    var phi_2807_: vec3<f32>;
+    var phi_2972_: f32;
+    var phi_2974_: f32;
+    var phi_2975_: bool;
+    var phi_2995_: f32;
+    var phi_2996_: f32;
+    var phi_3019_: type_25;
+    var phi_3021_: type_25;
+    var phi_3022_: bool;
+    var phi_3026_: type_25;
+    var phi_3027_: type_25;
+    var phi_3028_: type_25;
+    var phi_3029_: bool;
+    var phi_3033_: type_25;
+    var phi_3034_: bool;
+    var phi_3035_: type_25;
+    var phi_3036_: bool;
+    var phi_3037_: bool;
+    var phi_3038_: type_25;
+    var phi_3039_: bool;
+    var phi_3040_: bool;
+    var phi_3048_: type_25;
+    var phi_3049_: bool;
+    var phi_3053_: type_25;
+    var phi_3076_: u32;
+    var phi_3090_: i32;
+    var phi_3110_: vec3<f32>;
+    var phi_3111_: vec3<f32>;
+    var phi_3127_: vec3<f32>;
+    var phi_3128_: vec3<f32>;
+    var phi_3144_: vec3<f32>;
+    var phi_3145_: vec3<f32>;
+    var phi_3181_: vec3<f32>;
+    var phi_3363_: f32;
+    var phi_3381_: bool;
+    var phi_3382_: bool;
+    var phi_3387_: type_46;
+    var phi_3388_: type_46;
+    var phi_1477_: type_46;
+    var phi_4895_: bool;
     var local_10: type_46;
-    var phi_4748_: bool;
-    var phi_4273_: type_46;
-    var phi_4274_: type_58;
-    var phi_4275_: bool;
-    var phi_4276_: u32;
-    var phi_4747_: bool;
-    var phi_4277_: type_46;
-    var phi_4278_: type_58;
-    var phi_4279_: u32;
-    var phi_4280_: bool;
-    var phi_4281_: u32;
-    var phi_4746_: bool;
-    var phi_4282_: type_46;
-    var phi_4283_: type_58;
-    var phi_4284_: u32;
-    var phi_4285_: bool;
-    var phi_4286_: u32;
-    var phi_4745_: bool;
-    var phi_1012_: type_46;
-    var phi_1015_: type_58;
-    var phi_1017_: u32;
-    var phi_1019_: bool;
-    var phi_1021_: u32;
-    var phi_4287_: bool;
-    var phi_4744_: bool;
+    var phi_5138_: bool;
+    var phi_4629_: type_46;
+    var phi_4630_: type_58;
+    var phi_4631_: bool;
+    var phi_4632_: u32;
+    var phi_5137_: bool;
+    var phi_4633_: type_46;
+    var phi_4634_: type_58;
+    var phi_4635_: u32;
+    var phi_4636_: bool;
+    var phi_4637_: u32;
+    var phi_5136_: bool;
+    var phi_4638_: type_46;
+    var phi_4639_: type_58;
+    var phi_4640_: u32;
+    var phi_4641_: bool;
+    var phi_4642_: u32;
+    var phi_5135_: bool;
+    var phi_1350_: type_46;
+    var phi_1353_: type_58;
+    var phi_1355_: u32;
+    var phi_1357_: bool;
+    var phi_1359_: u32;
+    var phi_4643_: bool;
+    var phi_5134_: bool;
     var local_11: type_46;
     var local_12: type_46;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e101 = global;
-            let _e103 = arrayLength((&global_5.member));
-            let _e106 = arrayLength((&global_10.member));
-            let _e118 = arrayLength((&global_8.member));
-            let _e122 = global_4.member[0u][0u];
-            let _e126 = global_4.member[0u][1u];
-            let _e130 = global_4.member[0u][2u];
-            let _e134 = global_4.member[0u][3u];
-            let _e138 = global_4.member[1u][0u];
-            let _e142 = global_4.member[1u][1u];
-            let _e146 = global_4.member[1u][2u];
-            let _e150 = (_e101.x + (_e101.y * 2097152u));
-            let _e162 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e134) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e122), bitcast<i32>(_e126), bitcast<i32>(_e130));
-            local = array<i32, 3>(bitcast<i32>(_e138), bitcast<i32>(_e142), bitcast<i32>(_e146));
-            let _e165 = (_e150 < arrayLength((&global_9.member)));
-            if _e165 {
-                if _e165 {
+            let _e104 = global;
+            let _e106 = arrayLength((&global_5.member));
+            let _e109 = arrayLength((&global_10.member));
+            let _e121 = arrayLength((&global_8.member));
+            let _e125 = global_4.member[0u][0u];
+            let _e129 = global_4.member[0u][1u];
+            let _e133 = global_4.member[0u][2u];
+            let _e137 = global_4.member[0u][3u];
+            let _e141 = global_4.member[1u][0u];
+            let _e145 = global_4.member[1u][1u];
+            let _e149 = global_4.member[1u][2u];
+            let _e153 = (_e104.x + (_e104.y * 2097152u));
+            let _e165 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e137) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e125), bitcast<i32>(_e129), bitcast<i32>(_e133));
+            local = array<i32, 3>(bitcast<i32>(_e141), bitcast<i32>(_e145), bitcast<i32>(_e149));
+            let _e168 = (_e153 < arrayLength((&global_9.member)));
+            if _e168 {
+                if _e168 {
                 } else {
                     break;
                 }
-                let _e169 = global_9.member[_e150].member_2;
-                phi_335_ = _e169;
+                let _e172 = global_9.member[_e153].member_2;
+                phi_337_ = _e172;
             } else {
-                phi_335_ = 4294967295u;
+                phi_337_ = 4294967295u;
             }
-            let _e171 = phi_335_;
-            let _e174 = global_1.member[0u];
-            let _e178 = global_3.member[0u][0u];
-            let _e182 = global_3.member[0u][1u];
-            let _e186 = global_3.member[0u][2u];
-            let _e190 = global_3.member[0u][3u];
-            let _e194 = global_3.member[1u][0u];
-            let _e198 = global_3.member[1u][1u];
-            let _e202 = global_3.member[1u][2u];
-            let _e206 = global_3.member[1u][3u];
-            let _e207 = bitcast<f32>(_e178);
-            let _e208 = bitcast<f32>(_e182);
-            let _e209 = bitcast<f32>(_e186);
-            let _e211 = bitcast<f32>(_e194);
-            let _e212 = array<u32, 3>(_e198, _e202, _e206);
-            let _e214 = bitcast<i32>(_e174);
-            if (_e214 < -126i) {
-                phi_379_ = -126i;
+            let _e174 = phi_337_;
+            let _e177 = global_1.member[0u];
+            let _e181 = global_3.member[0u][0u];
+            let _e185 = global_3.member[0u][1u];
+            let _e189 = global_3.member[0u][2u];
+            let _e193 = global_3.member[0u][3u];
+            let _e197 = global_3.member[1u][0u];
+            let _e201 = global_3.member[1u][1u];
+            let _e205 = global_3.member[1u][2u];
+            let _e209 = global_3.member[1u][3u];
+            let _e210 = bitcast<f32>(_e181);
+            let _e211 = bitcast<f32>(_e185);
+            let _e212 = bitcast<f32>(_e189);
+            let _e214 = bitcast<f32>(_e197);
+            let _e215 = array<u32, 3>(_e201, _e205, _e209);
+            let _e217 = bitcast<i32>(_e177);
+            if (_e217 < -126i) {
+                phi_381_ = -126i;
             } else {
-                phi_379_ = select(_e214, 127i, (_e214 > 127i));
+                phi_381_ = select(_e217, 127i, (_e217 > 127i));
             }
-            let _e219 = phi_379_;
-            let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
-            let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
-            if (_e190 == 0u) {
-                phi_403_ = type_40(array<f32, 3>(_e207, _e208, _e209), _e190, _e211, _e212);
+            let _e222 = phi_381_;
+            let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
+            let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
+            if (_e193 == 0u) {
+                phi_521_ = type_40(array<f32, 3>(_e210, _e211, _e212), _e193, _e214, _e215);
             } else {
-                phi_403_ = type_40(array<f32, 3>(((_e207 * _e224) * _e230), ((_e208 * _e224) * _e230), ((_e209 * _e224) * _e230)), _e190, ((_e211 * _e224) * _e230), _e212);
+                let _e235 = bitcast<u32>(_e210);
+                let _e237 = ((_e235 & 2139095040u) != 0u);
+                let _e252 = bitcast<u32>(_e211);
+                let _e254 = ((_e252 & 2139095040u) != 0u);
+                let _e269 = bitcast<u32>(_e212);
+                let _e271 = ((_e269 & 2139095040u) != 0u);
+                let _e287 = bitcast<u32>(_e214);
+                let _e289 = ((_e287 & 2139095040u) != 0u);
+                phi_521_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e210, _e237) * _e227) * select(0.00000011920929f, 1f, _e237)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e211, _e254) * _e227) * select(0.00000011920929f, 1f, _e254)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e212, _e271) * _e227) * select(0.00000011920929f, 1f, _e271)) * _e233)), _e193, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e287 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e287 & 2147483648u))), _e214, _e289) * _e227) * select(0.00000011920929f, 1f, _e289)) * _e233), _e215);
             }
-            let _e243 = phi_403_;
-            if _e165 {
-                let _e244 = (_e150 < arrayLength((&global_2.member)));
-                if _e244 {
-                    if _e165 {
+            let _e306 = phi_521_;
+            if _e168 {
+                let _e307 = (_e153 < arrayLength((&global_2.member)));
+                if _e307 {
+                    if _e168 {
                     } else {
                         break;
                     }
-                    let _e249 = global_9.member[_e150].member.member_1;
-                    let _e254 = global_9.member[_e150].member.member_3;
-                    if (_e249 <= _e254) {
-                        let _e256 = (1u < _e118);
-                        if _e256 {
-                            if (0u < _e118) {
+                    let _e312 = global_9.member[_e153].member.member_1;
+                    let _e317 = global_9.member[_e153].member.member_3;
+                    if (_e312 <= _e317) {
+                        let _e319 = (1u < _e121);
+                        if _e319 {
+                            if (0u < _e121) {
                             } else {
                                 break;
                             }
-                            let _e260 = atomicAdd((&global_8.member[0u]), 1u);
-                            if ((_e260 + 1u) < _e260) {
-                                if _e256 {
+                            let _e323 = atomicAdd((&global_8.member[0u]), 1u);
+                            if ((_e323 + 1u) < _e323) {
+                                if _e319 {
                                 } else {
                                     break;
                                 }
-                                let _e265 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e328 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
-                        if _e165 {
+                        if _e168 {
                         } else {
                             break;
                         }
-                        let _e275 = global_9.member[_e150].member.member_2[0u];
-                        let _e277 = (bitcast<u32>(_e275) & 2147483647u);
-                        let _e283 = global_9.member[_e150].member.member_2[1u];
-                        let _e285 = (bitcast<u32>(_e283) & 2147483647u);
-                        let _e291 = global_9.member[_e150].member.member_2[2u];
-                        let _e293 = (bitcast<u32>(_e291) & 2147483647u);
-                        let _e299 = global_9.member[_e150].member.member[0u];
-                        let _e301 = (bitcast<u32>(_e299) & 2147483647u);
-                        let _e307 = global_9.member[_e150].member.member[1u];
-                        let _e309 = (bitcast<u32>(_e307) & 2147483647u);
-                        let _e315 = global_9.member[_e150].member.member[2u];
-                        let _e317 = (bitcast<u32>(_e315) & 2147483647u);
-                        let _e319 = select(_e285, _e277, (_e285 < _e277));
-                        let _e321 = select(_e293, _e319, (_e293 < _e319));
-                        let _e323 = select(_e301, _e321, (_e301 < _e321));
-                        let _e325 = select(_e309, _e323, (_e309 < _e323));
-                        let _e327 = select(_e317, _e325, (_e317 < _e325));
-                        let _e329 = (bitcast<u32>(_e249) & 2147483647u);
-                        let _e338 = (((select(_e329, _e327, (_e329 < _e327)) < 2139095040u) && ((bitcast<u32>(_e254) & 2147483647u) <= 2139095040u)) && (_e321 > 0u));
-                        if _e338 {
-                            let _e341 = (bitcast<u32>(bitcast<f32>(_e321)) & 2147483647u);
-                            if (_e341 >= 8388608u) {
-                                phi_553_ = (bitcast<i32>((_e341 >> bitcast<u32>(23i))) - 127i);
+                        let _e338 = global_9.member[_e153].member.member_2[0u];
+                        let _e340 = (bitcast<u32>(_e338) & 2147483647u);
+                        let _e346 = global_9.member[_e153].member.member_2[1u];
+                        let _e348 = (bitcast<u32>(_e346) & 2147483647u);
+                        let _e354 = global_9.member[_e153].member.member_2[2u];
+                        let _e356 = (bitcast<u32>(_e354) & 2147483647u);
+                        let _e362 = global_9.member[_e153].member.member[0u];
+                        let _e364 = (bitcast<u32>(_e362) & 2147483647u);
+                        let _e370 = global_9.member[_e153].member.member[1u];
+                        let _e372 = (bitcast<u32>(_e370) & 2147483647u);
+                        let _e378 = global_9.member[_e153].member.member[2u];
+                        let _e380 = (bitcast<u32>(_e378) & 2147483647u);
+                        let _e382 = select(_e348, _e340, (_e348 < _e340));
+                        let _e384 = select(_e356, _e382, (_e356 < _e382));
+                        let _e386 = select(_e364, _e384, (_e364 < _e384));
+                        let _e388 = select(_e372, _e386, (_e372 < _e386));
+                        let _e390 = select(_e380, _e388, (_e380 < _e388));
+                        let _e391 = bitcast<u32>(_e312);
+                        let _e392 = (_e391 & 2147483647u);
+                        let _e396 = bitcast<u32>(_e317);
+                        let _e397 = (_e396 & 2147483647u);
+                        let _e401 = (((select(_e392, _e390, (_e392 < _e390)) < 2139095040u) && (_e397 <= 2139095040u)) && (_e384 > 0u));
+                        if _e401 {
+                            let _e404 = (bitcast<u32>(bitcast<f32>(_e384)) & 2147483647u);
+                            if (_e404 >= 8388608u) {
+                                phi_671_ = (bitcast<i32>((_e404 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_553_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e341)), 32u, (_e341 == 0u))));
+                                phi_671_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e404)), 32u, (_e404 == 0u))));
                             }
-                            let _e355 = phi_553_;
-                            phi_554_ = _e355;
+                            let _e418 = phi_671_;
+                            phi_672_ = _e418;
                         } else {
-                            phi_554_ = 0i;
+                            phi_672_ = 0i;
                         }
-                        let _e357 = phi_554_;
-                        let _e358 = (_e277 == _e321);
-                        if _e358 {
-                            phi_564_ = true;
+                        let _e420 = phi_672_;
+                        let _e421 = (_e340 == _e384);
+                        if _e421 {
+                            phi_682_ = true;
                         } else {
-                            phi_564_ = (_e285 == _e321);
+                            phi_682_ = (_e348 == _e384);
                         }
-                        let _e361 = phi_564_;
-                        let _e362 = select(1u, 0u, _e358);
-                        if _e361 {
-                            let _e363 = (_e362 + 1u);
-                            phi_574_ = _e363;
-                            phi_575_ = _e363;
-                            phi_577_ = select(true, false, (_e363 == 2u));
+                        let _e424 = phi_682_;
+                        let _e425 = select(1u, 0u, _e421);
+                        if _e424 {
+                            let _e426 = (_e425 + 1u);
+                            phi_692_ = _e426;
+                            phi_693_ = _e426;
+                            phi_695_ = select(true, false, (_e426 == 2u));
                         } else {
-                            phi_574_ = u32();
-                            phi_575_ = 0u;
-                            phi_577_ = true;
+                            phi_692_ = u32();
+                            phi_693_ = 0u;
+                            phi_695_ = true;
                         }
-                        let _e367 = phi_574_;
-                        let _e369 = phi_575_;
-                        let _e371 = phi_577_;
-                        if _e371 {
-                            phi_582_ = (_e369 + 1u);
+                        let _e430 = phi_692_;
+                        let _e432 = phi_693_;
+                        let _e434 = phi_695_;
+                        if _e434 {
+                            phi_700_ = (_e432 + 1u);
                         } else {
-                            phi_582_ = 0u;
+                            phi_700_ = 0u;
                         }
-                        let _e375 = phi_582_;
-                        let _e376 = select(_e367, _e369, _e371);
-                        let _e377 = select(_e362, select(2u, _e362, _e361), _e371);
-                        let _e378 = -(_e357);
-                        if (_e378 < -126i) {
-                            phi_614_ = -126i;
+                        let _e438 = phi_700_;
+                        let _e439 = select(_e430, _e432, _e434);
+                        let _e440 = select(_e425, select(2u, _e425, _e424), _e434);
+                        let _e441 = -(_e420);
+                        if (_e441 < -126i) {
+                            phi_732_ = -126i;
                         } else {
-                            phi_614_ = select(_e378, 127i, (_e378 > 127i));
+                            phi_732_ = select(_e441, 127i, (_e441 > 127i));
                         }
-                        let _e383 = phi_614_;
-                        let _e388 = bitcast<f32>((bitcast<u32>((_e383 + 127i)) << bitcast<u32>(23i)));
-                        let _e394 = bitcast<f32>((bitcast<u32>(((_e378 - _e383) + 127i)) << bitcast<u32>(23i)));
-                        let _e399 = global_9.member[_e150].member.member;
-                        let _e400 = (_e376 == 0u);
-                        if _e400 {
-                            phi_632_ = _e399[0];
+                        let _e446 = phi_732_;
+                        let _e451 = bitcast<f32>((bitcast<u32>((_e446 + 127i)) << bitcast<u32>(23i)));
+                        let _e457 = bitcast<f32>((bitcast<u32>(((_e441 - _e446) + 127i)) << bitcast<u32>(23i)));
+                        let _e462 = global_9.member[_e153].member.member;
+                        let _e463 = (_e439 == 0u);
+                        if _e463 {
+                            phi_750_ = _e462[0];
                         } else {
-                            phi_632_ = _e399[1];
+                            phi_750_ = _e462[1];
                         }
-                        let _e404 = phi_632_;
-                        let _e405 = (_e376 == 2u);
-                        if _e405 {
-                            phi_638_ = _e399[2];
+                        let _e467 = phi_750_;
+                        let _e468 = (_e439 == 2u);
+                        if _e468 {
+                            phi_756_ = _e462[2];
                         } else {
-                            phi_638_ = _e404;
+                            phi_756_ = _e467;
                         }
-                        let _e408 = phi_638_;
-                        let _e409 = global_9.member[_e150].member.member_2;
-                        if _e400 {
-                            phi_649_ = _e409[0];
+                        let _e471 = phi_756_;
+                        let _e472 = bitcast<u32>(_e471);
+                        let _e474 = ((_e472 & 2139095040u) != 0u);
+                        let _e486 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e472 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e472 & 2147483648u))), _e471, _e474) * select(0.00000011920929f, 1f, _e474));
+                        let _e487 = global_9.member[_e153].member.member_2;
+                        if _e463 {
+                            phi_796_ = _e487[0];
                         } else {
-                            phi_649_ = _e409[1];
+                            phi_796_ = _e487[1];
                         }
-                        let _e413 = phi_649_;
-                        if _e405 {
-                            phi_655_ = _e409[2];
+                        let _e491 = phi_796_;
+                        if _e468 {
+                            phi_802_ = _e487[2];
                         } else {
-                            phi_655_ = _e413;
+                            phi_802_ = _e491;
                         }
-                        let _e416 = phi_655_;
-                        let _e418 = ((_e416 * _e388) * _e394);
-                        let _e422 = (bitcast<f32>((bitcast<u32>(_e418) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e422 {
-                            let _e426 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) * 0.00000011920929f);
-                            phi_678_ = select(0.00000000000011368684f, _e426, (_e426 > 0.00000000000011368684f));
+                        let _e494 = phi_802_;
+                        let _e495 = bitcast<u32>(_e494);
+                        let _e497 = ((_e495 & 2139095040u) != 0u);
+                        let _e511 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e495 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e495 & 2147483648u))), _e494, _e497) * _e451) * select(0.00000011920929f, 1f, _e497)) * _e457);
+                        let _e515 = (bitcast<f32>((bitcast<u32>(_e511) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e515 {
+                            let _e519 = (bitcast<f32>((bitcast<u32>(_e486) & 2147483647u)) * 0.00000011920929f);
+                            phi_854_ = select(0.00000000000011368684f, _e519, (_e519 > 0.00000000000011368684f));
                         } else {
-                            phi_678_ = 0f;
+                            phi_854_ = 0f;
                         }
-                        let _e430 = phi_678_;
-                        let _e431 = (_e408 + _e430);
-                        let _e432 = (_e408 - _e430);
-                        let _e433 = select(_e418, 0f, _e422);
-                        if _e422 {
-                            phi_689_ = 38685626000000000000000000f;
+                        let _e523 = phi_854_;
+                        let _e524 = (_e486 + _e523);
+                        let _e525 = (_e486 - _e523);
+                        let _e526 = select(_e511, 0f, _e515);
+                        if _e515 {
+                            phi_865_ = 38685626000000000000000000f;
                         } else {
-                            phi_689_ = (1f / _e418);
+                            phi_865_ = (1f / _e511);
                         }
-                        let _e436 = phi_689_;
-                        let _e437 = (_e375 == 0u);
-                        if _e437 {
-                            phi_698_ = _e399[0];
+                        let _e529 = phi_865_;
+                        let _e530 = (_e438 == 0u);
+                        if _e530 {
+                            phi_874_ = _e462[0];
                         } else {
-                            phi_698_ = _e399[1];
+                            phi_874_ = _e462[1];
                         }
-                        let _e441 = phi_698_;
-                        let _e442 = (_e375 == 2u);
-                        if _e442 {
-                            phi_704_ = _e399[2];
+                        let _e534 = phi_874_;
+                        let _e535 = (_e438 == 2u);
+                        if _e535 {
+                            phi_880_ = _e462[2];
                         } else {
-                            phi_704_ = _e441;
+                            phi_880_ = _e534;
                         }
-                        let _e445 = phi_704_;
-                        if _e437 {
-                            phi_715_ = _e409[0];
+                        let _e538 = phi_880_;
+                        let _e539 = bitcast<u32>(_e538);
+                        let _e541 = ((_e539 & 2139095040u) != 0u);
+                        let _e553 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e539 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e539 & 2147483648u))), _e538, _e541) * select(0.00000011920929f, 1f, _e541));
+                        if _e530 {
+                            phi_920_ = _e487[0];
                         } else {
-                            phi_715_ = _e409[1];
+                            phi_920_ = _e487[1];
                         }
-                        let _e449 = phi_715_;
-                        if _e442 {
-                            phi_721_ = _e409[2];
+                        let _e557 = phi_920_;
+                        if _e535 {
+                            phi_926_ = _e487[2];
                         } else {
-                            phi_721_ = _e449;
+                            phi_926_ = _e557;
                         }
-                        let _e452 = phi_721_;
-                        let _e454 = ((_e452 * _e388) * _e394);
-                        let _e458 = (bitcast<f32>((bitcast<u32>(_e454) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e458 {
-                            let _e462 = (bitcast<f32>((bitcast<u32>(_e445) & 2147483647u)) * 0.00000011920929f);
-                            phi_744_ = select(0.00000000000011368684f, _e462, (_e462 > 0.00000000000011368684f));
+                        let _e560 = phi_926_;
+                        let _e561 = bitcast<u32>(_e560);
+                        let _e563 = ((_e561 & 2139095040u) != 0u);
+                        let _e577 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e561 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e561 & 2147483648u))), _e560, _e563) * _e451) * select(0.00000011920929f, 1f, _e563)) * _e457);
+                        let _e581 = (bitcast<f32>((bitcast<u32>(_e577) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e581 {
+                            let _e585 = (bitcast<f32>((bitcast<u32>(_e553) & 2147483647u)) * 0.00000011920929f);
+                            phi_978_ = select(0.00000000000011368684f, _e585, (_e585 > 0.00000000000011368684f));
                         } else {
-                            phi_744_ = 0f;
+                            phi_978_ = 0f;
                         }
-                        let _e466 = phi_744_;
-                        let _e467 = (_e445 + _e466);
-                        let _e468 = (_e445 - _e466);
-                        let _e469 = select(_e454, 0f, _e458);
-                        if _e458 {
-                            phi_755_ = 38685626000000000000000000f;
+                        let _e589 = phi_978_;
+                        let _e590 = (_e553 + _e589);
+                        let _e591 = (_e553 - _e589);
+                        let _e592 = select(_e577, 0f, _e581);
+                        if _e581 {
+                            phi_989_ = 38685626000000000000000000f;
                         } else {
-                            phi_755_ = (1f / _e454);
+                            phi_989_ = (1f / _e577);
                         }
-                        let _e472 = phi_755_;
-                        let _e473 = (_e377 == 0u);
-                        if _e473 {
-                            phi_764_ = _e399[0];
+                        let _e595 = phi_989_;
+                        let _e596 = (_e440 == 0u);
+                        if _e596 {
+                            phi_998_ = _e462[0];
                         } else {
-                            phi_764_ = _e399[1];
+                            phi_998_ = _e462[1];
                         }
-                        let _e477 = phi_764_;
-                        let _e478 = (_e377 == 2u);
-                        if _e478 {
-                            phi_770_ = _e399[2];
+                        let _e600 = phi_998_;
+                        let _e601 = (_e440 == 2u);
+                        if _e601 {
+                            phi_1004_ = _e462[2];
                         } else {
-                            phi_770_ = _e477;
+                            phi_1004_ = _e600;
                         }
-                        let _e481 = phi_770_;
-                        if _e473 {
-                            phi_781_ = _e409[0];
+                        let _e604 = phi_1004_;
+                        let _e605 = bitcast<u32>(_e604);
+                        let _e607 = ((_e605 & 2139095040u) != 0u);
+                        let _e619 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e605 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e605 & 2147483648u))), _e604, _e607) * select(0.00000011920929f, 1f, _e607));
+                        if _e596 {
+                            phi_1044_ = _e487[0];
                         } else {
-                            phi_781_ = _e409[1];
+                            phi_1044_ = _e487[1];
                         }
-                        let _e485 = phi_781_;
-                        if _e478 {
-                            phi_787_ = _e409[2];
+                        let _e623 = phi_1044_;
+                        if _e601 {
+                            phi_1050_ = _e487[2];
                         } else {
-                            phi_787_ = _e485;
+                            phi_1050_ = _e623;
                         }
-                        let _e488 = phi_787_;
-                        let _e490 = ((_e488 * _e388) * _e394);
-                        let _e494 = (bitcast<f32>((bitcast<u32>(_e490) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e494 {
-                            let _e498 = (bitcast<f32>((bitcast<u32>(_e481) & 2147483647u)) * 0.00000011920929f);
-                            phi_810_ = select(0.00000000000011368684f, _e498, (_e498 > 0.00000000000011368684f));
+                        let _e626 = phi_1050_;
+                        let _e627 = bitcast<u32>(_e626);
+                        let _e629 = ((_e627 & 2139095040u) != 0u);
+                        let _e643 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e627 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e627 & 2147483648u))), _e626, _e629) * _e451) * select(0.00000011920929f, 1f, _e629)) * _e457);
+                        let _e647 = (bitcast<f32>((bitcast<u32>(_e643) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e647 {
+                            let _e651 = (bitcast<f32>((bitcast<u32>(_e619) & 2147483647u)) * 0.00000011920929f);
+                            phi_1102_ = select(0.00000000000011368684f, _e651, (_e651 > 0.00000000000011368684f));
                         } else {
-                            phi_810_ = 0f;
+                            phi_1102_ = 0f;
                         }
-                        let _e502 = phi_810_;
-                        let _e503 = (_e481 + _e502);
-                        let _e504 = (_e481 - _e502);
-                        let _e505 = select(_e490, 0f, _e494);
-                        if _e494 {
-                            phi_821_ = 38685626000000000000000000f;
+                        let _e655 = phi_1102_;
+                        let _e656 = (_e619 + _e655);
+                        let _e657 = (_e619 - _e655);
+                        let _e658 = select(_e643, 0f, _e647);
+                        if _e647 {
+                            phi_1113_ = 38685626000000000000000000f;
                         } else {
-                            phi_821_ = (1f / _e490);
+                            phi_1113_ = (1f / _e643);
                         }
-                        let _e508 = phi_821_;
-                        let _e511 = bitcast<f32>((bitcast<u32>(_e408) & 2147483647u));
-                        let _e514 = bitcast<f32>((bitcast<u32>(_e445) & 2147483647u));
-                        let _e516 = select(_e514, _e511, (_e511 > _e514));
-                        let _e519 = bitcast<f32>((bitcast<u32>(_e481) & 2147483647u));
-                        if (_e338 && (select(_e519, _e516, (_e516 > _e519)) <= 1099511600000f)) {
-                            let _e524 = (_e357 / 3i);
-                            let _e531 = bitcast<f32>((bitcast<u32>((_e524 + 127i)) << bitcast<u32>(23i)));
-                            let _e538 = bitcast<f32>((bitcast<u32>(((_e357 - (2i * _e524)) + 127i)) << bitcast<u32>(23i)));
-                            let _e539 = (((_e249 * _e531) * _e531) * _e538);
-                            let _e541 = select(340282350000000000000000000000000000000f, _e539, (_e539 < 340282350000000000000000000000000000000f));
-                            let _e546 = (((_e254 * _e531) * _e531) * _e538);
-                            let _e548 = select(340282350000000000000000000000000000000f, _e546, (_e546 < 340282350000000000000000000000000000000f));
-                            phi_921_ = select(-340282350000000000000000000000000000000f, _e548, (_e548 > -340282350000000000000000000000000000000f));
-                            phi_922_ = select(-340282350000000000000000000000000000000f, _e541, (_e541 > -340282350000000000000000000000000000000f));
+                        let _e661 = phi_1113_;
+                        let _e664 = bitcast<f32>((bitcast<u32>(_e486) & 2147483647u));
+                        let _e667 = bitcast<f32>((bitcast<u32>(_e553) & 2147483647u));
+                        let _e669 = select(_e667, _e664, (_e664 > _e667));
+                        let _e672 = bitcast<f32>((bitcast<u32>(_e619) & 2147483647u));
+                        if (_e401 && (select(_e672, _e669, (_e669 > _e672)) <= 1099511600000f)) {
+                            let _e684 = ((_e392 & 8388607u) | (select(0u, 1u, ((_e392 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e687 = bitcast<i32>((_e392 >> bitcast<u32>(23i)));
+                            let _e691 = (_e684 == 0u);
+                            let _e694 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e684)), 32u, _e691)) - 8i);
+                            if (_e687 == 255i) {
+                                phi_1168_ = 255i;
+                            } else {
+                                phi_1168_ = (((_e687 + select(0i, 1i, (_e687 == 0i))) - _e694) + _e420);
+                            }
+                            let _e702 = phi_1168_;
+                            let _e712 = (_e702 <= 0i);
+                            if _e712 {
+                                phi_1191_ = u32();
+                            } else {
+                                if _e691 {
+                                    phi_1190_ = u32();
+                                } else {
+                                    phi_1190_ = select(((bitcast<u32>(_e702) << bitcast<u32>(23i)) | ((_e684 << bitcast<u32>(((_e694 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e702 >= 255i));
+                                }
+                                let _e716 = phi_1190_;
+                                phi_1191_ = _e716;
+                            }
+                            let _e718 = phi_1191_;
+                            let _e730 = ((_e397 & 8388607u) | (select(0u, 1u, ((_e397 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e733 = bitcast<i32>((_e397 >> bitcast<u32>(23i)));
+                            let _e737 = (_e730 == 0u);
+                            let _e740 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e730)), 32u, _e737)) - 8i);
+                            if (_e733 == 255i) {
+                                phi_1228_ = 255i;
+                            } else {
+                                phi_1228_ = (((_e733 + select(0i, 1i, (_e733 == 0i))) - _e740) + _e420);
+                            }
+                            let _e748 = phi_1228_;
+                            let _e758 = (_e748 <= 0i);
+                            if _e758 {
+                                phi_1251_ = u32();
+                            } else {
+                                if _e737 {
+                                    phi_1250_ = u32();
+                                } else {
+                                    phi_1250_ = select(((bitcast<u32>(_e748) << bitcast<u32>(23i)) | ((_e730 << bitcast<u32>(((_e740 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e748 >= 255i));
+                                }
+                                let _e762 = phi_1250_;
+                                phi_1251_ = _e762;
+                            }
+                            let _e764 = phi_1251_;
+                            phi_1259_ = bitcast<f32>(((_e396 & 2147483648u) | select(_e764, 0u, select(_e737, true, _e758))));
+                            phi_1260_ = bitcast<f32>(((_e391 & 2147483648u) | select(_e718, 0u, select(_e691, true, _e712))));
                         } else {
-                            phi_921_ = 0f;
-                            phi_922_ = 1f;
+                            phi_1259_ = 0f;
+                            phi_1260_ = 1f;
                         }
-                        let _e552 = phi_921_;
-                        let _e554 = phi_922_;
+                        let _e770 = phi_1259_;
+                        let _e772 = phi_1260_;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -622,1403 +693,1403 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e558 = (_e376 % 3u);
-                        let _e559 = (_e558 < 3u);
-                        if _e559 {
+                        let _e776 = (_e439 % 3u);
+                        let _e777 = (_e776 < 3u);
+                        if _e777 {
                         } else {
                             break;
                         }
-                        let _e561 = local_1[_e558];
-                        let _e564 = (_e375 % 3u);
-                        let _e565 = (_e564 < 3u);
-                        if _e565 {
+                        let _e779 = local_1[_e776];
+                        let _e782 = (_e438 % 3u);
+                        let _e783 = (_e782 < 3u);
+                        if _e783 {
                         } else {
                             break;
                         }
-                        let _e567 = local_1[_e564];
-                        let _e570 = (_e377 % 3u);
-                        let _e571 = (_e570 < 3u);
-                        if _e571 {
+                        let _e785 = local_1[_e782];
+                        let _e788 = (_e440 % 3u);
+                        let _e789 = (_e788 < 3u);
+                        if _e789 {
                         } else {
                             break;
                         }
-                        let _e573 = local_1[_e570];
-                        if _e559 {
+                        let _e791 = local_1[_e788];
+                        if _e777 {
                         } else {
                             break;
                         }
-                        let _e578 = local[_e558];
-                        if _e565 {
+                        let _e796 = local[_e776];
+                        if _e783 {
                         } else {
                             break;
                         }
-                        let _e582 = local[_e564];
-                        if _e571 {
+                        let _e800 = local[_e782];
+                        if _e789 {
                         } else {
                             break;
                         }
-                        let _e586 = local[_e570];
-                        phi_4537_ = false;
-                        phi_1011_ = type_46(_e552, false);
-                        phi_1014_ = type_58(type_34(vec4<f32>((f32(_e561) * _e162), (f32(_e567) * _e162), (f32(_e573) * _e162), 0f), vec4<f32>((f32(_e578) * _e162), (f32(_e582) * _e162), (f32(_e586) * _e162), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
-                        phi_1016_ = ((3u * _e103) + 1u);
-                        phi_1018_ = (_e554 <= _e552);
-                        phi_1020_ = 0u;
+                        let _e804 = local[_e788];
+                        phi_4901_ = false;
+                        phi_1349_ = type_46(_e770, false);
+                        phi_1352_ = type_58(type_34(vec4<f32>((f32(_e779) * _e165), (f32(_e785) * _e165), (f32(_e791) * _e165), 0f), vec4<f32>((f32(_e796) * _e165), (f32(_e800) * _e165), (f32(_e804) * _e165), 0f)), select(0u, 2147483648u, (_e106 == 0u)));
+                        phi_1354_ = ((3u * _e106) + 1u);
+                        phi_1356_ = (_e772 <= _e770);
+                        phi_1358_ = 0u;
                         loop {
-                            let _e596 = phi_4537_;
-                            let _e598 = phi_1011_;
-                            let _e600 = phi_1014_;
-                            let _e602 = phi_1016_;
-                            let _e604 = phi_1018_;
-                            let _e606 = phi_1020_;
-                            local_11 = _e598;
-                            if _e604 {
-                                phi_1031_ = true;
+                            let _e814 = phi_4901_;
+                            let _e816 = phi_1349_;
+                            let _e818 = phi_1352_;
+                            let _e820 = phi_1354_;
+                            let _e822 = phi_1356_;
+                            let _e824 = phi_1358_;
+                            local_11 = _e816;
+                            if _e822 {
+                                phi_1369_ = true;
                             } else {
-                                phi_1031_ = (_e606 > 0u);
+                                phi_1369_ = (_e824 > 0u);
                             }
-                            let _e609 = phi_1031_;
-                            if _e609 {
-                                let _e610 = (_e602 > 0u);
-                                if _e610 {
-                                    if _e604 {
-                                        phi_1117_ = _e600;
-                                        phi_1118_ = _e604;
-                                        phi_1119_ = _e606;
+                            let _e827 = phi_1369_;
+                            if _e827 {
+                                let _e828 = (_e820 > 0u);
+                                if _e828 {
+                                    if _e822 {
+                                        phi_1455_ = _e818;
+                                        phi_1456_ = _e822;
+                                        phi_1457_ = _e824;
                                     } else {
-                                        let _e611 = (_e606 - 1u);
-                                        let _e612 = (_e611 % 128u);
-                                        let _e613 = (_e612 < 128u);
-                                        if _e613 {
+                                        let _e829 = (_e824 - 1u);
+                                        let _e830 = (_e829 % 128u);
+                                        let _e831 = (_e830 < 128u);
+                                        if _e831 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e615 = local_7[_e612];
-                                        if _e613 {
+                                        let _e833 = local_7[_e830];
+                                        if _e831 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e617 = local_6[_e612];
-                                        if _e613 {
+                                        let _e835 = local_6[_e830];
+                                        if _e831 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e619 = local_5[_e612];
-                                        if _e613 {
+                                        let _e837 = local_5[_e830];
+                                        if _e831 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e621 = local_4[_e612];
-                                        if _e613 {
+                                        let _e839 = local_4[_e830];
+                                        if _e831 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e623 = local_3[_e612];
-                                        if _e613 {
+                                        let _e841 = local_3[_e830];
+                                        if _e831 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e625 = local_2[_e612];
-                                        if _e613 {
+                                        let _e843 = local_2[_e830];
+                                        if _e831 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e630 = local_8[_e612];
-                                        if _e613 {
+                                        let _e848 = local_8[_e830];
+                                        if _e831 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e633 = local_9[_e612];
-                                        phi_1117_ = type_58(type_34(vec4<f32>(_e615, _e617, _e619, 0f), vec4<f32>(_e621, _e623, _e625, 0f)), _e630);
-                                        phi_1118_ = (_e633 <= _e598.member);
-                                        phi_1119_ = _e611;
+                                        let _e851 = local_9[_e830];
+                                        phi_1455_ = type_58(type_34(vec4<f32>(_e833, _e835, _e837, 0f), vec4<f32>(_e839, _e841, _e843, 0f)), _e848);
+                                        phi_1456_ = (_e851 <= _e816.member);
+                                        phi_1457_ = _e829;
                                     }
-                                    let _e637 = phi_1117_;
-                                    let _e639 = phi_1118_;
-                                    let _e641 = phi_1119_;
-                                    if _e639 {
-                                        let _e646 = (_e637.member_1 & 268435455u);
-                                        if ((_e637.member_1 & 2147483648u) != 0u) {
-                                            phi_1138_ = _e598;
-                                            phi_1141_ = type_8(0u, ((_e637.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e855 = phi_1455_;
+                                    let _e857 = phi_1456_;
+                                    let _e859 = phi_1457_;
+                                    if _e857 {
+                                        let _e864 = (_e855.member_1 & 268435455u);
+                                        if ((_e855.member_1 & 2147483648u) != 0u) {
+                                            phi_1476_ = _e816;
+                                            phi_1479_ = type_8(0u, ((_e855.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1106 = phi_1138_;
-                                                let _e1108 = phi_1141_;
-                                                local_10 = _e1106;
-                                                local_12 = _e1106;
-                                                if (_e1108.member < _e1108.member_1) {
-                                                    phi_1142_ = type_8((_e1108.member + 1u), _e1108.member_1);
-                                                    phi_1164_ = type_8(1u, _e1108.member);
+                                                let _e1330 = phi_1476_;
+                                                let _e1332 = phi_1479_;
+                                                local_10 = _e1330;
+                                                local_12 = _e1330;
+                                                if (_e1332.member < _e1332.member_1) {
+                                                    phi_1480_ = type_8((_e1332.member + 1u), _e1332.member_1);
+                                                    phi_1502_ = type_8(1u, _e1332.member);
                                                 } else {
-                                                    phi_1142_ = _e1108;
-                                                    phi_1164_ = type_8(0u, type_8().member_1);
+                                                    phi_1480_ = _e1332;
+                                                    phi_1502_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1121 = phi_1142_;
-                                                let _e1123 = phi_1164_;
-                                                let _e1127 = (bitcast<i32>(_e1123.member) != 0i);
-                                                if _e1127 {
-                                                    let _e1132 = (_e637.member.member_1.x - _e637.member.member.x);
-                                                    let _e1135 = (_e637.member.member_1.y - _e637.member.member.y);
-                                                    let _e1138 = (_e637.member.member_1.z - _e637.member.member.z);
-                                                    let _e1140 = select(_e1135, _e1132, (_e1132 > _e1135));
-                                                    let _e1142 = select(_e1138, _e1140, (_e1140 > _e1138));
-                                                    let _e1144 = (_e1142 < (1024f * _e162));
-                                                    if _e1144 {
-                                                        phi_1205_ = 0u;
+                                                let _e1345 = phi_1480_;
+                                                let _e1347 = phi_1502_;
+                                                let _e1351 = (bitcast<i32>(_e1347.member) != 0i);
+                                                if _e1351 {
+                                                    let _e1356 = (_e855.member.member_1.x - _e855.member.member.x);
+                                                    let _e1359 = (_e855.member.member_1.y - _e855.member.member.y);
+                                                    let _e1362 = (_e855.member.member_1.z - _e855.member.member.z);
+                                                    let _e1364 = select(_e1359, _e1356, (_e1356 > _e1359));
+                                                    let _e1366 = select(_e1362, _e1364, (_e1364 > _e1362));
+                                                    let _e1368 = (_e1366 < (1024f * _e165));
+                                                    if _e1368 {
+                                                        phi_1543_ = 0u;
                                                     } else {
-                                                        phi_1205_ = select(2u, 1u, (_e1142 < (2097152f * _e162)));
+                                                        phi_1543_ = select(2u, 1u, (_e1366 < (2097152f * _e165)));
                                                     }
-                                                    let _e1149 = phi_1205_;
-                                                    switch bitcast<i32>(_e1149) {
+                                                    let _e1373 = phi_1543_;
+                                                    switch bitcast<i32>(_e1373) {
                                                         case 0: {
-                                                            phi_1211_ = 1u;
+                                                            phi_1549_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1211_ = 2u;
+                                                            phi_1549_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1211_ = 3u;
+                                                            phi_1549_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1211_ = u32();
+                                                            phi_1549_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1152 = phi_1211_;
-                                                    switch bitcast<i32>(_e1149) {
+                                                    let _e1376 = phi_1549_;
+                                                    switch bitcast<i32>(_e1373) {
                                                         case 0: {
-                                                            phi_1221_ = 1u;
+                                                            phi_1559_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1221_ = 2u;
+                                                            phi_1559_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1221_ = 3u;
+                                                            phi_1559_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1221_ = u32();
+                                                            phi_1559_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1159 = phi_1221_;
-                                                    let _e1161 = ((_e646 + (_e1123.member_1 * ((3u * _e1152) + 1u))) + (3u * _e1159));
-                                                    let _e1162 = (_e1161 < _e106);
-                                                    if _e1162 {
-                                                        if _e1162 {
+                                                    let _e1383 = phi_1559_;
+                                                    let _e1385 = ((_e864 + (_e1347.member_1 * ((3u * _e1376) + 1u))) + (3u * _e1383));
+                                                    let _e1386 = (_e1385 < _e109);
+                                                    if _e1386 {
+                                                        if _e1386 {
                                                         } else {
-                                                            phi_4531_ = true;
+                                                            phi_4895_ = true;
                                                             break;
                                                         }
-                                                        let _e1164 = global_10.member[_e1161];
-                                                        phi_1237_ = _e1164;
+                                                        let _e1388 = global_10.member[_e1385];
+                                                        phi_1575_ = _e1388;
                                                     } else {
-                                                        phi_1237_ = 4294967295u;
+                                                        phi_1575_ = 4294967295u;
                                                     }
-                                                    let _e1166 = phi_1237_;
-                                                    if _e1144 {
-                                                        phi_1270_ = 0u;
+                                                    let _e1390 = phi_1575_;
+                                                    if _e1368 {
+                                                        phi_1608_ = 0u;
                                                     } else {
-                                                        phi_1270_ = select(2u, 1u, (_e1142 < (2097152f * _e162)));
+                                                        phi_1608_ = select(2u, 1u, (_e1366 < (2097152f * _e165)));
                                                     }
-                                                    let _e1171 = phi_1270_;
-                                                    switch bitcast<i32>(_e1171) {
+                                                    let _e1395 = phi_1608_;
+                                                    switch bitcast<i32>(_e1395) {
                                                         case 0: {
-                                                            phi_1276_ = 1u;
+                                                            phi_1614_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1276_ = 2u;
+                                                            phi_1614_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1276_ = 3u;
+                                                            phi_1614_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1276_ = u32();
+                                                            phi_1614_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1174 = phi_1276_;
-                                                    let _e1178 = (_e646 + (_e1123.member_1 * ((3u * _e1174) + 1u)));
-                                                    switch bitcast<i32>(_e1171) {
+                                                    let _e1398 = phi_1614_;
+                                                    let _e1402 = (_e864 + (_e1347.member_1 * ((3u * _e1398) + 1u)));
+                                                    switch bitcast<i32>(_e1395) {
                                                         case 0: {
-                                                            let _e1444 = (_e1178 < _e106);
-                                                            if _e1444 {
-                                                                if _e1444 {
+                                                            let _e1677 = (_e1402 < _e109);
+                                                            if _e1677 {
+                                                                if _e1677 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1446 = global_10.member[_e1178];
-                                                                phi_1300_ = _e1446;
+                                                                let _e1679 = global_10.member[_e1402];
+                                                                phi_1638_ = _e1679;
                                                             } else {
-                                                                phi_1300_ = 0u;
+                                                                phi_1638_ = 0u;
                                                             }
-                                                            let _e1448 = phi_1300_;
-                                                            let _e1450 = ((10u * _e376) & 31u);
-                                                            let _e1459 = ((10u * _e375) & 31u);
-                                                            let _e1468 = ((10u * _e377) & 31u);
-                                                            let _e1477 = (_e1178 + 1u);
-                                                            let _e1478 = (_e1477 < _e106);
-                                                            if _e1478 {
-                                                                if _e1478 {
+                                                            let _e1681 = phi_1638_;
+                                                            let _e1683 = ((10u * _e439) & 31u);
+                                                            let _e1693 = ((10u * _e438) & 31u);
+                                                            let _e1703 = ((10u * _e440) & 31u);
+                                                            let _e1713 = (_e1402 + 1u);
+                                                            let _e1714 = (_e1713 < _e109);
+                                                            if _e1714 {
+                                                                if _e1714 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1480 = global_10.member[_e1477];
-                                                                phi_1343_ = _e1480;
+                                                                let _e1716 = global_10.member[_e1713];
+                                                                phi_1684_ = _e1716;
                                                             } else {
-                                                                phi_1343_ = 0u;
+                                                                phi_1684_ = 0u;
                                                             }
-                                                            let _e1482 = phi_1343_;
-                                                            let _e1505 = (_e1178 + 2u);
-                                                            let _e1506 = (_e1505 < _e106);
-                                                            if _e1506 {
-                                                                if _e1506 {
+                                                            let _e1718 = phi_1684_;
+                                                            let _e1744 = (_e1402 + 2u);
+                                                            let _e1745 = (_e1744 < _e109);
+                                                            if _e1745 {
+                                                                if _e1745 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1508 = global_10.member[_e1505];
-                                                                phi_1386_ = _e1508;
+                                                                let _e1747 = global_10.member[_e1744];
+                                                                phi_1730_ = _e1747;
                                                             } else {
-                                                                phi_1386_ = 0u;
+                                                                phi_1730_ = 0u;
                                                             }
-                                                            let _e1510 = phi_1386_;
-                                                            phi_1857_ = array<array<f32, 3>, 3>(array<f32, 3>((_e637.member.member.x + (f32(bitcast<i32>(((_e1448 >> bitcast<u32>(_e1450)) & 1023u))) * _e162)), (_e637.member.member.y + (f32(bitcast<i32>(((_e1448 >> bitcast<u32>(_e1459)) & 1023u))) * _e162)), (_e637.member.member.z + (f32(bitcast<i32>(((_e1448 >> bitcast<u32>(_e1468)) & 1023u))) * _e162))), array<f32, 3>((_e637.member.member.x + (f32(bitcast<i32>(((_e1482 >> bitcast<u32>(_e1450)) & 1023u))) * _e162)), (_e637.member.member.y + (f32(bitcast<i32>(((_e1482 >> bitcast<u32>(_e1459)) & 1023u))) * _e162)), (_e637.member.member.z + (f32(bitcast<i32>(((_e1482 >> bitcast<u32>(_e1468)) & 1023u))) * _e162))), array<f32, 3>((_e637.member.member.x + (f32(bitcast<i32>(((_e1510 >> bitcast<u32>(_e1450)) & 1023u))) * _e162)), (_e637.member.member.y + (f32(bitcast<i32>(((_e1510 >> bitcast<u32>(_e1459)) & 1023u))) * _e162)), (_e637.member.member.z + (f32(bitcast<i32>(((_e1510 >> bitcast<u32>(_e1468)) & 1023u))) * _e162))));
+                                                            let _e1749 = phi_1730_;
+                                                            phi_2213_ = array<array<f32, 3>, 3>(array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1267 = (_e1178 < _e106);
-                                                            if _e1267 {
-                                                                if _e1267 {
+                                                            let _e1491 = (_e1402 < _e109);
+                                                            if _e1491 {
+                                                                if _e1491 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1269 = global_10.member[_e1178];
-                                                                phi_1429_ = _e1269;
+                                                                let _e1493 = global_10.member[_e1402];
+                                                                phi_1776_ = _e1493;
                                                             } else {
-                                                                phi_1429_ = 0u;
+                                                                phi_1776_ = 0u;
                                                             }
-                                                            let _e1271 = phi_1429_;
-                                                            let _e1272 = (_e1178 + 1u);
-                                                            let _e1273 = (_e1272 < _e106);
-                                                            if _e1273 {
-                                                                if _e1273 {
+                                                            let _e1495 = phi_1776_;
+                                                            let _e1496 = (_e1402 + 1u);
+                                                            let _e1497 = (_e1496 < _e109);
+                                                            if _e1497 {
+                                                                if _e1497 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1275 = global_10.member[_e1272];
-                                                                phi_1444_ = _e1275;
+                                                                let _e1499 = global_10.member[_e1496];
+                                                                phi_1791_ = _e1499;
                                                             } else {
-                                                                phi_1444_ = 0u;
+                                                                phi_1791_ = 0u;
                                                             }
-                                                            let _e1277 = phi_1444_;
-                                                            let _e1278 = (_e376 == 1u);
-                                                            if _e1278 {
-                                                                phi_1454_ = ((_e1271 >> bitcast<u32>(21i)) | (_e1277 << bitcast<u32>(11i)));
+                                                            let _e1501 = phi_1791_;
+                                                            let _e1502 = (_e439 == 1u);
+                                                            if _e1502 {
+                                                                phi_1801_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1454_ = (_e1277 >> bitcast<u32>(10i));
+                                                                phi_1801_ = (_e1501 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1287 = phi_1454_;
-                                                            let _e1294 = (_e375 == 1u);
-                                                            if _e1294 {
-                                                                phi_1474_ = ((_e1271 >> bitcast<u32>(21i)) | (_e1277 << bitcast<u32>(11i)));
+                                                            let _e1511 = phi_1801_;
+                                                            let _e1519 = (_e438 == 1u);
+                                                            if _e1519 {
+                                                                phi_1822_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1474_ = (_e1277 >> bitcast<u32>(10i));
+                                                                phi_1822_ = (_e1501 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1303 = phi_1474_;
-                                                            let _e1310 = (_e377 == 1u);
-                                                            if _e1310 {
-                                                                phi_1494_ = ((_e1271 >> bitcast<u32>(21i)) | (_e1277 << bitcast<u32>(11i)));
+                                                            let _e1528 = phi_1822_;
+                                                            let _e1536 = (_e440 == 1u);
+                                                            if _e1536 {
+                                                                phi_1843_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1494_ = (_e1277 >> bitcast<u32>(10i));
+                                                                phi_1843_ = (_e1501 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1319 = phi_1494_;
-                                                            let _e1327 = (_e1178 + 2u);
-                                                            let _e1328 = (_e1327 < _e106);
-                                                            if _e1328 {
-                                                                if _e1328 {
+                                                            let _e1545 = phi_1843_;
+                                                            let _e1554 = (_e1402 + 2u);
+                                                            let _e1555 = (_e1554 < _e109);
+                                                            if _e1555 {
+                                                                if _e1555 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1330 = global_10.member[_e1327];
-                                                                phi_1520_ = _e1330;
+                                                                let _e1557 = global_10.member[_e1554];
+                                                                phi_1870_ = _e1557;
                                                             } else {
-                                                                phi_1520_ = 0u;
+                                                                phi_1870_ = 0u;
                                                             }
-                                                            let _e1332 = phi_1520_;
-                                                            let _e1333 = (_e1178 + 3u);
-                                                            let _e1334 = (_e1333 < _e106);
-                                                            if _e1334 {
-                                                                if _e1334 {
+                                                            let _e1559 = phi_1870_;
+                                                            let _e1560 = (_e1402 + 3u);
+                                                            let _e1561 = (_e1560 < _e109);
+                                                            if _e1561 {
+                                                                if _e1561 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1336 = global_10.member[_e1333];
-                                                                phi_1535_ = _e1336;
+                                                                let _e1563 = global_10.member[_e1560];
+                                                                phi_1885_ = _e1563;
                                                             } else {
-                                                                phi_1535_ = 0u;
+                                                                phi_1885_ = 0u;
                                                             }
-                                                            let _e1338 = phi_1535_;
-                                                            if _e1278 {
-                                                                phi_1545_ = ((_e1332 >> bitcast<u32>(21i)) | (_e1338 << bitcast<u32>(11i)));
+                                                            let _e1565 = phi_1885_;
+                                                            if _e1502 {
+                                                                phi_1895_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1545_ = (_e1338 >> bitcast<u32>(10i));
+                                                                phi_1895_ = (_e1565 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1347 = phi_1545_;
-                                                            if _e1294 {
-                                                                phi_1565_ = ((_e1332 >> bitcast<u32>(21i)) | (_e1338 << bitcast<u32>(11i)));
+                                                            let _e1574 = phi_1895_;
+                                                            if _e1519 {
+                                                                phi_1916_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1565_ = (_e1338 >> bitcast<u32>(10i));
+                                                                phi_1916_ = (_e1565 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1362 = phi_1565_;
-                                                            if _e1310 {
-                                                                phi_1585_ = ((_e1332 >> bitcast<u32>(21i)) | (_e1338 << bitcast<u32>(11i)));
+                                                            let _e1590 = phi_1916_;
+                                                            if _e1536 {
+                                                                phi_1937_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1585_ = (_e1338 >> bitcast<u32>(10i));
+                                                                phi_1937_ = (_e1565 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1377 = phi_1585_;
-                                                            let _e1385 = (_e1178 + 4u);
-                                                            let _e1386 = (_e1385 < _e106);
-                                                            if _e1386 {
-                                                                if _e1386 {
+                                                            let _e1606 = phi_1937_;
+                                                            let _e1615 = (_e1402 + 4u);
+                                                            let _e1616 = (_e1615 < _e109);
+                                                            if _e1616 {
+                                                                if _e1616 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1388 = global_10.member[_e1385];
-                                                                phi_1611_ = _e1388;
+                                                                let _e1618 = global_10.member[_e1615];
+                                                                phi_1964_ = _e1618;
                                                             } else {
-                                                                phi_1611_ = 0u;
+                                                                phi_1964_ = 0u;
                                                             }
-                                                            let _e1390 = phi_1611_;
-                                                            let _e1391 = (_e1178 + 5u);
-                                                            let _e1392 = (_e1391 < _e106);
-                                                            if _e1392 {
-                                                                if _e1392 {
+                                                            let _e1620 = phi_1964_;
+                                                            let _e1621 = (_e1402 + 5u);
+                                                            let _e1622 = (_e1621 < _e109);
+                                                            if _e1622 {
+                                                                if _e1622 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1394 = global_10.member[_e1391];
-                                                                phi_1626_ = _e1394;
+                                                                let _e1624 = global_10.member[_e1621];
+                                                                phi_1979_ = _e1624;
                                                             } else {
-                                                                phi_1626_ = 0u;
+                                                                phi_1979_ = 0u;
                                                             }
-                                                            let _e1396 = phi_1626_;
-                                                            if _e1278 {
-                                                                phi_1636_ = ((_e1390 >> bitcast<u32>(21i)) | (_e1396 << bitcast<u32>(11i)));
+                                                            let _e1626 = phi_1979_;
+                                                            if _e1502 {
+                                                                phi_1989_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1636_ = (_e1396 >> bitcast<u32>(10i));
+                                                                phi_1989_ = (_e1626 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1405 = phi_1636_;
-                                                            if _e1294 {
-                                                                phi_1656_ = ((_e1390 >> bitcast<u32>(21i)) | (_e1396 << bitcast<u32>(11i)));
+                                                            let _e1635 = phi_1989_;
+                                                            if _e1519 {
+                                                                phi_2010_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1656_ = (_e1396 >> bitcast<u32>(10i));
+                                                                phi_2010_ = (_e1626 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1420 = phi_1656_;
-                                                            if _e1310 {
-                                                                phi_1676_ = ((_e1390 >> bitcast<u32>(21i)) | (_e1396 << bitcast<u32>(11i)));
+                                                            let _e1651 = phi_2010_;
+                                                            if _e1536 {
+                                                                phi_2031_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1676_ = (_e1396 >> bitcast<u32>(10i));
+                                                                phi_2031_ = (_e1626 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1435 = phi_1676_;
-                                                            phi_1857_ = array<array<f32, 3>, 3>(array<f32, 3>((_e637.member.member.x + (f32(bitcast<i32>((select(_e1287, _e1271, _e400) & 2097151u))) * _e162)), (_e637.member.member.y + (f32(bitcast<i32>((select(_e1303, _e1271, _e437) & 2097151u))) * _e162)), (_e637.member.member.z + (f32(bitcast<i32>((select(_e1319, _e1271, _e473) & 2097151u))) * _e162))), array<f32, 3>((_e637.member.member.x + (f32(bitcast<i32>((select(_e1347, _e1332, _e400) & 2097151u))) * _e162)), (_e637.member.member.y + (f32(bitcast<i32>((select(_e1362, _e1332, _e437) & 2097151u))) * _e162)), (_e637.member.member.z + (f32(bitcast<i32>((select(_e1377, _e1332, _e473) & 2097151u))) * _e162))), array<f32, 3>((_e637.member.member.x + (f32(bitcast<i32>((select(_e1405, _e1390, _e400) & 2097151u))) * _e162)), (_e637.member.member.y + (f32(bitcast<i32>((select(_e1420, _e1390, _e437) & 2097151u))) * _e162)), (_e637.member.member.z + (f32(bitcast<i32>((select(_e1435, _e1390, _e473) & 2097151u))) * _e162))));
+                                                            let _e1667 = phi_2031_;
+                                                            phi_2213_ = array<array<f32, 3>, 3>(array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1511, _e1495, _e463) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1528, _e1495, _e530) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1545, _e1495, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1574, _e1559, _e463) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1590, _e1559, _e530) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1606, _e1559, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1635, _e1620, _e463) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1651, _e1620, _e530) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1667, _e1620, _e596) & 2097151u))) - 8388608f) * _e165))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e1180 = (_e1178 + _e376);
-                                                            let _e1181 = (_e1180 < _e106);
-                                                            if _e1181 {
-                                                                if _e1181 {
+                                                            let _e1404 = (_e1402 + _e439);
+                                                            let _e1405 = (_e1404 < _e109);
+                                                            if _e1405 {
+                                                                if _e1405 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1183 = global_10.member[_e1180];
-                                                                phi_1703_ = _e1183;
+                                                                let _e1407 = global_10.member[_e1404];
+                                                                phi_2059_ = _e1407;
                                                             } else {
-                                                                phi_1703_ = 0u;
+                                                                phi_2059_ = 0u;
                                                             }
-                                                            let _e1185 = phi_1703_;
-                                                            let _e1189 = (_e1178 + _e375);
-                                                            let _e1190 = (_e1189 < _e106);
-                                                            if _e1190 {
-                                                                if _e1190 {
+                                                            let _e1409 = phi_2059_;
+                                                            let _e1413 = (_e1402 + _e438);
+                                                            let _e1414 = (_e1413 < _e109);
+                                                            if _e1414 {
+                                                                if _e1414 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1192 = global_10.member[_e1189];
-                                                                phi_1721_ = _e1192;
+                                                                let _e1416 = global_10.member[_e1413];
+                                                                phi_2077_ = _e1416;
                                                             } else {
-                                                                phi_1721_ = 0u;
+                                                                phi_2077_ = 0u;
                                                             }
-                                                            let _e1194 = phi_1721_;
-                                                            let _e1198 = (_e1178 + _e377);
-                                                            let _e1199 = (_e1198 < _e106);
-                                                            if _e1199 {
-                                                                if _e1199 {
+                                                            let _e1418 = phi_2077_;
+                                                            let _e1422 = (_e1402 + _e440);
+                                                            let _e1423 = (_e1422 < _e109);
+                                                            if _e1423 {
+                                                                if _e1423 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1201 = global_10.member[_e1198];
-                                                                phi_1739_ = _e1201;
+                                                                let _e1425 = global_10.member[_e1422];
+                                                                phi_2095_ = _e1425;
                                                             } else {
-                                                                phi_1739_ = 0u;
+                                                                phi_2095_ = 0u;
                                                             }
-                                                            let _e1203 = phi_1739_;
-                                                            let _e1208 = (_e1178 + 3u);
-                                                            let _e1209 = (_e1208 + _e376);
-                                                            let _e1210 = (_e1209 < _e106);
-                                                            if _e1210 {
-                                                                if _e1210 {
+                                                            let _e1427 = phi_2095_;
+                                                            let _e1432 = (_e1402 + 3u);
+                                                            let _e1433 = (_e1432 + _e439);
+                                                            let _e1434 = (_e1433 < _e109);
+                                                            if _e1434 {
+                                                                if _e1434 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1212 = global_10.member[_e1209];
-                                                                phi_1759_ = _e1212;
+                                                                let _e1436 = global_10.member[_e1433];
+                                                                phi_2115_ = _e1436;
                                                             } else {
-                                                                phi_1759_ = 0u;
+                                                                phi_2115_ = 0u;
                                                             }
-                                                            let _e1214 = phi_1759_;
-                                                            let _e1218 = (_e1208 + _e375);
-                                                            let _e1219 = (_e1218 < _e106);
-                                                            if _e1219 {
-                                                                if _e1219 {
+                                                            let _e1438 = phi_2115_;
+                                                            let _e1442 = (_e1432 + _e438);
+                                                            let _e1443 = (_e1442 < _e109);
+                                                            if _e1443 {
+                                                                if _e1443 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1221 = global_10.member[_e1218];
-                                                                phi_1777_ = _e1221;
+                                                                let _e1445 = global_10.member[_e1442];
+                                                                phi_2133_ = _e1445;
                                                             } else {
-                                                                phi_1777_ = 0u;
+                                                                phi_2133_ = 0u;
                                                             }
-                                                            let _e1223 = phi_1777_;
-                                                            let _e1227 = (_e1208 + _e377);
-                                                            let _e1228 = (_e1227 < _e106);
-                                                            if _e1228 {
-                                                                if _e1228 {
+                                                            let _e1447 = phi_2133_;
+                                                            let _e1451 = (_e1432 + _e440);
+                                                            let _e1452 = (_e1451 < _e109);
+                                                            if _e1452 {
+                                                                if _e1452 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1230 = global_10.member[_e1227];
-                                                                phi_1795_ = _e1230;
+                                                                let _e1454 = global_10.member[_e1451];
+                                                                phi_2151_ = _e1454;
                                                             } else {
-                                                                phi_1795_ = 0u;
+                                                                phi_2151_ = 0u;
                                                             }
-                                                            let _e1232 = phi_1795_;
-                                                            let _e1237 = (_e1178 + 6u);
-                                                            let _e1238 = (_e1237 + _e376);
-                                                            let _e1239 = (_e1238 < _e106);
-                                                            if _e1239 {
-                                                                if _e1239 {
+                                                            let _e1456 = phi_2151_;
+                                                            let _e1461 = (_e1402 + 6u);
+                                                            let _e1462 = (_e1461 + _e439);
+                                                            let _e1463 = (_e1462 < _e109);
+                                                            if _e1463 {
+                                                                if _e1463 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1241 = global_10.member[_e1238];
-                                                                phi_1815_ = _e1241;
+                                                                let _e1465 = global_10.member[_e1462];
+                                                                phi_2171_ = _e1465;
                                                             } else {
-                                                                phi_1815_ = 0u;
+                                                                phi_2171_ = 0u;
                                                             }
-                                                            let _e1243 = phi_1815_;
-                                                            let _e1247 = (_e1237 + _e375);
-                                                            let _e1248 = (_e1247 < _e106);
-                                                            if _e1248 {
-                                                                if _e1248 {
+                                                            let _e1467 = phi_2171_;
+                                                            let _e1471 = (_e1461 + _e438);
+                                                            let _e1472 = (_e1471 < _e109);
+                                                            if _e1472 {
+                                                                if _e1472 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1250 = global_10.member[_e1247];
-                                                                phi_1833_ = _e1250;
+                                                                let _e1474 = global_10.member[_e1471];
+                                                                phi_2189_ = _e1474;
                                                             } else {
-                                                                phi_1833_ = 0u;
+                                                                phi_2189_ = 0u;
                                                             }
-                                                            let _e1252 = phi_1833_;
-                                                            let _e1256 = (_e1237 + _e377);
-                                                            let _e1257 = (_e1256 < _e106);
-                                                            if _e1257 {
-                                                                if _e1257 {
+                                                            let _e1476 = phi_2189_;
+                                                            let _e1480 = (_e1461 + _e440);
+                                                            let _e1481 = (_e1480 < _e109);
+                                                            if _e1481 {
+                                                                if _e1481 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1259 = global_10.member[_e1256];
-                                                                phi_1851_ = _e1259;
+                                                                let _e1483 = global_10.member[_e1480];
+                                                                phi_2207_ = _e1483;
                                                             } else {
-                                                                phi_1851_ = 0u;
+                                                                phi_2207_ = 0u;
                                                             }
-                                                            let _e1261 = phi_1851_;
-                                                            phi_1857_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1185)) * _e162), (f32(bitcast<i32>(_e1194)) * _e162), (f32(bitcast<i32>(_e1203)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1214)) * _e162), (f32(bitcast<i32>(_e1223)) * _e162), (f32(bitcast<i32>(_e1232)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1243)) * _e162), (f32(bitcast<i32>(_e1252)) * _e162), (f32(bitcast<i32>(_e1261)) * _e162)));
+                                                            let _e1485 = phi_2207_;
+                                                            phi_2213_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1409)) * _e165), (f32(bitcast<i32>(_e1418)) * _e165), (f32(bitcast<i32>(_e1427)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1438)) * _e165), (f32(bitcast<i32>(_e1447)) * _e165), (f32(bitcast<i32>(_e1456)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1467)) * _e165), (f32(bitcast<i32>(_e1476)) * _e165), (f32(bitcast<i32>(_e1485)) * _e165)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1857_ = array<array<f32, 3>, 3>();
+                                                            phi_2213_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1535 = phi_1857_;
-                                                    let _e1543 = (_e1535[0][2] - _e481);
-                                                    let _e1546 = (((_e1535[0][0] - _e408) * _e505) - (_e1543 * _e433));
-                                                    let _e1549 = (((_e1535[0][1] - _e445) * _e505) - (_e1543 * _e469));
-                                                    let _e1556 = (_e1535[1][2] - _e481);
-                                                    let _e1559 = (((_e1535[1][0] - _e408) * _e505) - (_e1556 * _e433));
-                                                    let _e1562 = (((_e1535[1][1] - _e445) * _e505) - (_e1556 * _e469));
-                                                    let _e1569 = (_e1535[2][2] - _e481);
-                                                    let _e1572 = (((_e1535[2][0] - _e408) * _e505) - (_e1569 * _e433));
-                                                    let _e1575 = (((_e1535[2][1] - _e445) * _e505) - (_e1569 * _e469));
-                                                    let _e1576 = (_e1572 * _e1562);
-                                                    let _e1577 = (_e1575 * _e1559);
-                                                    let _e1578 = (_e1546 * _e1575);
-                                                    let _e1579 = (_e1549 * _e1572);
-                                                    let _e1580 = (_e1559 * _e1549);
-                                                    let _e1581 = (_e1562 * _e1546);
-                                                    let _e1586 = (((_e1576 >= _e1577) && (_e1578 >= _e1579)) && (_e1580 >= _e1581));
-                                                    if (_e1586 || (((_e1576 <= _e1577) && (_e1578 <= _e1579)) && (_e1580 <= _e1581))) {
-                                                        let _e1593 = select(-1f, 1f, _e1586);
-                                                        let _e1595 = ((_e1576 - _e1577) * _e1593);
-                                                        let _e1597 = select(0f, _e1595, (_e1595 > 0f));
-                                                        let _e1599 = ((_e1578 - _e1579) * _e1593);
-                                                        let _e1601 = select(0f, _e1599, (_e1599 > 0f));
-                                                        let _e1603 = ((_e1580 - _e1581) * _e1593);
-                                                        let _e1605 = select(0f, _e1603, (_e1603 > 0f));
-                                                        let _e1607 = ((_e1597 + _e1601) + _e1605);
-                                                        if (_e1607 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2682_ = type_25();
-                                                            phi_2683_ = true;
-                                                            phi_2684_ = false;
+                                                    let _e1777 = phi_2213_;
+                                                    let _e1785 = (_e1777[0][2] - _e619);
+                                                    let _e1788 = (((_e1777[0][0] - _e486) * _e658) - (_e1785 * _e526));
+                                                    let _e1791 = (((_e1777[0][1] - _e553) * _e658) - (_e1785 * _e592));
+                                                    let _e1798 = (_e1777[1][2] - _e619);
+                                                    let _e1801 = (((_e1777[1][0] - _e486) * _e658) - (_e1798 * _e526));
+                                                    let _e1804 = (((_e1777[1][1] - _e553) * _e658) - (_e1798 * _e592));
+                                                    let _e1811 = (_e1777[2][2] - _e619);
+                                                    let _e1814 = (((_e1777[2][0] - _e486) * _e658) - (_e1811 * _e526));
+                                                    let _e1817 = (((_e1777[2][1] - _e553) * _e658) - (_e1811 * _e592));
+                                                    let _e1818 = (_e1814 * _e1804);
+                                                    let _e1819 = (_e1817 * _e1801);
+                                                    let _e1820 = (_e1788 * _e1817);
+                                                    let _e1821 = (_e1791 * _e1814);
+                                                    let _e1822 = (_e1801 * _e1791);
+                                                    let _e1823 = (_e1804 * _e1788);
+                                                    let _e1828 = (((_e1818 >= _e1819) && (_e1820 >= _e1821)) && (_e1822 >= _e1823));
+                                                    if (_e1828 || (((_e1818 <= _e1819) && (_e1820 <= _e1821)) && (_e1822 <= _e1823))) {
+                                                        let _e1835 = select(-1f, 1f, _e1828);
+                                                        let _e1837 = ((_e1818 - _e1819) * _e1835);
+                                                        let _e1839 = select(0f, _e1837, (_e1837 > 0f));
+                                                        let _e1841 = ((_e1820 - _e1821) * _e1835);
+                                                        let _e1843 = select(0f, _e1841, (_e1841 > 0f));
+                                                        let _e1845 = ((_e1822 - _e1823) * _e1835);
+                                                        let _e1847 = select(0f, _e1845, (_e1845 > 0f));
+                                                        let _e1849 = ((_e1839 + _e1843) + _e1847);
+                                                        if (_e1849 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_3038_ = type_25();
+                                                            phi_3039_ = true;
+                                                            phi_3040_ = false;
                                                         } else {
-                                                            let _e1610 = select(_e1559, _e1546, (_e1546 < _e1559));
-                                                            if (select(_e1572, _e1610, (_e1610 < _e1572)) > 0f) {
-                                                                phi_1974_ = true;
+                                                            let _e1852 = select(_e1801, _e1788, (_e1788 < _e1801));
+                                                            if (select(_e1814, _e1852, (_e1852 < _e1814)) > 0f) {
+                                                                phi_2330_ = true;
                                                             } else {
-                                                                let _e1615 = select(_e1559, _e1546, (_e1546 > _e1559));
-                                                                phi_1974_ = (select(_e1572, _e1615, (_e1615 > _e1572)) < 0f);
+                                                                let _e1857 = select(_e1801, _e1788, (_e1788 > _e1801));
+                                                                phi_2330_ = (select(_e1814, _e1857, (_e1857 > _e1814)) < 0f);
                                                             }
-                                                            let _e1620 = phi_1974_;
-                                                            if _e1620 {
-                                                                phi_2679_ = type_25();
-                                                                phi_2680_ = true;
-                                                                phi_2681_ = false;
+                                                            let _e1862 = phi_2330_;
+                                                            if _e1862 {
+                                                                phi_3035_ = type_25();
+                                                                phi_3036_ = true;
+                                                                phi_3037_ = false;
                                                             } else {
-                                                                let _e1622 = select(_e1562, _e1549, (_e1549 < _e1562));
-                                                                if (select(_e1575, _e1622, (_e1622 < _e1575)) > 0f) {
-                                                                    phi_2003_ = true;
+                                                                let _e1864 = select(_e1804, _e1791, (_e1791 < _e1804));
+                                                                if (select(_e1817, _e1864, (_e1864 < _e1817)) > 0f) {
+                                                                    phi_2359_ = true;
                                                                 } else {
-                                                                    let _e1627 = select(_e1562, _e1549, (_e1549 > _e1562));
-                                                                    phi_2003_ = (select(_e1575, _e1627, (_e1627 > _e1575)) < 0f);
+                                                                    let _e1869 = select(_e1804, _e1791, (_e1791 > _e1804));
+                                                                    phi_2359_ = (select(_e1817, _e1869, (_e1869 > _e1817)) < 0f);
                                                                 }
-                                                                let _e1632 = phi_2003_;
-                                                                if _e1632 {
-                                                                    phi_2677_ = type_25();
-                                                                    phi_2678_ = false;
+                                                                let _e1874 = phi_2359_;
+                                                                if _e1874 {
+                                                                    phi_3033_ = type_25();
+                                                                    phi_3034_ = false;
                                                                 } else {
-                                                                    let _e1634 = select(_e1535[1][0], _e1535[0][0], (_e1535[0][0] < _e1535[1][0]));
-                                                                    let _e1638 = select(_e1535[1][0], _e1535[0][0], (_e1535[0][0] > _e1535[1][0]));
-                                                                    let _e1642 = select(_e1535[1][1], _e1535[0][1], (_e1535[0][1] < _e1535[1][1]));
-                                                                    let _e1646 = select(_e1535[1][1], _e1535[0][1], (_e1535[0][1] > _e1535[1][1]));
-                                                                    let _e1650 = select(_e1535[1][2], _e1535[0][2], (_e1535[0][2] < _e1535[1][2]));
-                                                                    let _e1654 = select(_e1535[1][2], _e1535[0][2], (_e1535[0][2] > _e1535[1][2]));
-                                                                    let _e1659 = ((select(_e1535[2][0], _e1634, (_e1634 < _e1535[2][0])) - _e431) * _e436);
-                                                                    let _e1660 = ((select(_e1535[2][0], _e1638, (_e1638 > _e1535[2][0])) - _e432) * _e436);
-                                                                    let _e1663 = ((select(_e1535[2][1], _e1642, (_e1642 < _e1535[2][1])) - _e467) * _e472);
-                                                                    let _e1664 = ((select(_e1535[2][1], _e1646, (_e1646 > _e1535[2][1])) - _e468) * _e472);
-                                                                    let _e1667 = ((select(_e1535[2][2], _e1650, (_e1650 < _e1535[2][2])) - _e503) * _e508);
-                                                                    let _e1668 = ((select(_e1535[2][2], _e1654, (_e1654 > _e1535[2][2])) - _e504) * _e508);
-                                                                    let _e1670 = select(_e1668, _e1667, (_e1667 < _e1668));
-                                                                    let _e1672 = select(_e1668, _e1667, (_e1667 > _e1668));
-                                                                    let _e1674 = select(_e1660, _e1659, (_e1659 < _e1660));
-                                                                    let _e1676 = select(_e1664, _e1663, (_e1663 < _e1664));
-                                                                    let _e1678 = select(_e1676, _e1674, (_e1674 > _e1676));
-                                                                    let _e1680 = select(_e1670, _e1678, (_e1678 > _e1670));
-                                                                    let _e1682 = select(_e1660, _e1659, (_e1659 > _e1660));
-                                                                    let _e1684 = select(_e1664, _e1663, (_e1663 > _e1664));
-                                                                    let _e1686 = select(_e1684, _e1682, (_e1682 < _e1684));
-                                                                    let _e1688 = select(_e1672, _e1686, (_e1686 < _e1672));
-                                                                    let _e1689 = -(_e1670);
-                                                                    let _e1695 = select(_e554, _e1680, (_e1680 > _e554));
-                                                                    if (_e1695 > (_e1688 + (select(_e1689, _e1672, (_e1672 > _e1689)) * 0.0000019073523f))) {
-                                                                        phi_2672_ = type_25();
-                                                                        phi_2673_ = true;
+                                                                    let _e1876 = select(_e1777[1][0], _e1777[0][0], (_e1777[0][0] < _e1777[1][0]));
+                                                                    let _e1880 = select(_e1777[1][0], _e1777[0][0], (_e1777[0][0] > _e1777[1][0]));
+                                                                    let _e1884 = select(_e1777[1][1], _e1777[0][1], (_e1777[0][1] < _e1777[1][1]));
+                                                                    let _e1888 = select(_e1777[1][1], _e1777[0][1], (_e1777[0][1] > _e1777[1][1]));
+                                                                    let _e1892 = select(_e1777[1][2], _e1777[0][2], (_e1777[0][2] < _e1777[1][2]));
+                                                                    let _e1896 = select(_e1777[1][2], _e1777[0][2], (_e1777[0][2] > _e1777[1][2]));
+                                                                    let _e1901 = ((select(_e1777[2][0], _e1876, (_e1876 < _e1777[2][0])) - _e524) * _e529);
+                                                                    let _e1902 = ((select(_e1777[2][0], _e1880, (_e1880 > _e1777[2][0])) - _e525) * _e529);
+                                                                    let _e1905 = ((select(_e1777[2][1], _e1884, (_e1884 < _e1777[2][1])) - _e590) * _e595);
+                                                                    let _e1906 = ((select(_e1777[2][1], _e1888, (_e1888 > _e1777[2][1])) - _e591) * _e595);
+                                                                    let _e1909 = ((select(_e1777[2][2], _e1892, (_e1892 < _e1777[2][2])) - _e656) * _e661);
+                                                                    let _e1910 = ((select(_e1777[2][2], _e1896, (_e1896 > _e1777[2][2])) - _e657) * _e661);
+                                                                    let _e1912 = select(_e1910, _e1909, (_e1909 < _e1910));
+                                                                    let _e1914 = select(_e1910, _e1909, (_e1909 > _e1910));
+                                                                    let _e1916 = select(_e1902, _e1901, (_e1901 < _e1902));
+                                                                    let _e1918 = select(_e1906, _e1905, (_e1905 < _e1906));
+                                                                    let _e1920 = select(_e1918, _e1916, (_e1916 > _e1918));
+                                                                    let _e1922 = select(_e1912, _e1920, (_e1920 > _e1912));
+                                                                    let _e1924 = select(_e1902, _e1901, (_e1901 > _e1902));
+                                                                    let _e1926 = select(_e1906, _e1905, (_e1905 > _e1906));
+                                                                    let _e1928 = select(_e1926, _e1924, (_e1924 < _e1926));
+                                                                    let _e1930 = select(_e1914, _e1928, (_e1928 < _e1914));
+                                                                    let _e1931 = -(_e1912);
+                                                                    let _e1937 = select(_e772, _e1922, (_e1922 > _e772));
+                                                                    if (_e1937 > (_e1930 + (select(_e1931, _e1914, (_e1914 > _e1931)) * 0.0000019073523f))) {
+                                                                        phi_3028_ = type_25();
+                                                                        phi_3029_ = true;
                                                                     } else {
-                                                                        let _e1697 = (_e1695 > _e1106.member);
-                                                                        if _e1697 {
-                                                                            phi_2671_ = type_25();
+                                                                        let _e1939 = (_e1937 > _e1330.member);
+                                                                        if _e1939 {
+                                                                            phi_3027_ = type_25();
                                                                         } else {
-                                                                            let _e1698 = vec3<f32>(_e1535[0][0], _e1535[0][1], _e1535[0][2]);
-                                                                            let _e1699 = vec3<f32>(_e1535[1][0], _e1535[1][1], _e1535[1][2]);
-                                                                            let _e1700 = vec3<f32>(_e1535[2][0], _e1535[2][1], _e1535[2][2]);
-                                                                            let _e1701 = (_e1535[1][0] - _e1535[0][0]);
-                                                                            let _e1702 = (_e1535[1][1] - _e1535[0][1]);
-                                                                            let _e1703 = (_e1535[1][2] - _e1535[0][2]);
-                                                                            let _e1704 = vec3<f32>(_e1701, _e1702, _e1703);
-                                                                            let _e1705 = (_e1535[2][0] - _e1535[1][0]);
-                                                                            let _e1706 = (_e1535[2][1] - _e1535[1][1]);
-                                                                            let _e1707 = (_e1535[2][2] - _e1535[1][2]);
-                                                                            let _e1708 = vec3<f32>(_e1705, _e1706, _e1707);
-                                                                            let _e1709 = (_e1535[0][0] - _e1535[2][0]);
-                                                                            let _e1710 = (_e1535[0][1] - _e1535[2][1]);
-                                                                            let _e1711 = (_e1535[0][2] - _e1535[2][2]);
-                                                                            let _e1712 = vec3<f32>(_e1709, _e1710, _e1711);
-                                                                            let _e1715 = bitcast<f32>((bitcast<u32>(_e1701) & 2147483647u));
-                                                                            let _e1718 = bitcast<f32>((bitcast<u32>(_e1702) & 2147483647u));
-                                                                            let _e1720 = select(_e1718, _e1715, (_e1715 > _e1718));
-                                                                            let _e1723 = bitcast<f32>((bitcast<u32>(_e1703) & 2147483647u));
-                                                                            let _e1725 = select(_e1723, _e1720, (_e1720 > _e1723));
-                                                                            let _e1728 = bitcast<f32>((bitcast<u32>(_e1705) & 2147483647u));
-                                                                            let _e1731 = bitcast<f32>((bitcast<u32>(_e1706) & 2147483647u));
-                                                                            let _e1733 = select(_e1731, _e1728, (_e1728 > _e1731));
-                                                                            let _e1736 = bitcast<f32>((bitcast<u32>(_e1707) & 2147483647u));
-                                                                            let _e1738 = select(_e1736, _e1733, (_e1733 > _e1736));
-                                                                            let _e1741 = bitcast<f32>((bitcast<u32>(_e1709) & 2147483647u));
-                                                                            let _e1744 = bitcast<f32>((bitcast<u32>(_e1710) & 2147483647u));
-                                                                            let _e1746 = select(_e1744, _e1741, (_e1741 > _e1744));
-                                                                            let _e1749 = bitcast<f32>((bitcast<u32>(_e1711) & 2147483647u));
-                                                                            let _e1751 = select(_e1749, _e1746, (_e1746 > _e1749));
-                                                                            let _e1753 = select(_e1738, _e1725, (_e1725 > _e1738));
-                                                                            let _e1755 = select(_e1751, _e1753, (_e1753 > _e1751));
-                                                                            if (_e1725 == _e1755) {
-                                                                                phi_2404_ = _e1562;
-                                                                                phi_2405_ = _e1559;
-                                                                                phi_2406_ = _e1549;
-                                                                                phi_2407_ = _e1546;
-                                                                                phi_2408_ = _e1698;
-                                                                                phi_2409_ = _e1712;
-                                                                                phi_2410_ = _e1708;
-                                                                                phi_2411_ = _e1704;
+                                                                            let _e1940 = vec3<f32>(_e1777[0][0], _e1777[0][1], _e1777[0][2]);
+                                                                            let _e1941 = vec3<f32>(_e1777[1][0], _e1777[1][1], _e1777[1][2]);
+                                                                            let _e1942 = vec3<f32>(_e1777[2][0], _e1777[2][1], _e1777[2][2]);
+                                                                            let _e1943 = (_e1777[1][0] - _e1777[0][0]);
+                                                                            let _e1944 = (_e1777[1][1] - _e1777[0][1]);
+                                                                            let _e1945 = (_e1777[1][2] - _e1777[0][2]);
+                                                                            let _e1946 = vec3<f32>(_e1943, _e1944, _e1945);
+                                                                            let _e1947 = (_e1777[2][0] - _e1777[1][0]);
+                                                                            let _e1948 = (_e1777[2][1] - _e1777[1][1]);
+                                                                            let _e1949 = (_e1777[2][2] - _e1777[1][2]);
+                                                                            let _e1950 = vec3<f32>(_e1947, _e1948, _e1949);
+                                                                            let _e1951 = (_e1777[0][0] - _e1777[2][0]);
+                                                                            let _e1952 = (_e1777[0][1] - _e1777[2][1]);
+                                                                            let _e1953 = (_e1777[0][2] - _e1777[2][2]);
+                                                                            let _e1954 = vec3<f32>(_e1951, _e1952, _e1953);
+                                                                            let _e1957 = bitcast<f32>((bitcast<u32>(_e1943) & 2147483647u));
+                                                                            let _e1960 = bitcast<f32>((bitcast<u32>(_e1944) & 2147483647u));
+                                                                            let _e1962 = select(_e1960, _e1957, (_e1957 > _e1960));
+                                                                            let _e1965 = bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u));
+                                                                            let _e1967 = select(_e1965, _e1962, (_e1962 > _e1965));
+                                                                            let _e1970 = bitcast<f32>((bitcast<u32>(_e1947) & 2147483647u));
+                                                                            let _e1973 = bitcast<f32>((bitcast<u32>(_e1948) & 2147483647u));
+                                                                            let _e1975 = select(_e1973, _e1970, (_e1970 > _e1973));
+                                                                            let _e1978 = bitcast<f32>((bitcast<u32>(_e1949) & 2147483647u));
+                                                                            let _e1980 = select(_e1978, _e1975, (_e1975 > _e1978));
+                                                                            let _e1983 = bitcast<f32>((bitcast<u32>(_e1951) & 2147483647u));
+                                                                            let _e1986 = bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u));
+                                                                            let _e1988 = select(_e1986, _e1983, (_e1983 > _e1986));
+                                                                            let _e1991 = bitcast<f32>((bitcast<u32>(_e1953) & 2147483647u));
+                                                                            let _e1993 = select(_e1991, _e1988, (_e1988 > _e1991));
+                                                                            let _e1995 = select(_e1980, _e1967, (_e1967 > _e1980));
+                                                                            let _e1997 = select(_e1993, _e1995, (_e1995 > _e1993));
+                                                                            if (_e1967 == _e1997) {
+                                                                                phi_2760_ = _e1804;
+                                                                                phi_2761_ = _e1801;
+                                                                                phi_2762_ = _e1791;
+                                                                                phi_2763_ = _e1788;
+                                                                                phi_2764_ = _e1940;
+                                                                                phi_2765_ = _e1954;
+                                                                                phi_2766_ = _e1950;
+                                                                                phi_2767_ = _e1946;
                                                                             } else {
-                                                                                let _e1757 = (_e1738 == _e1755);
-                                                                                let _e1762 = vec3(_e1757);
-                                                                                phi_2404_ = select(_e1549, _e1575, _e1757);
-                                                                                phi_2405_ = select(_e1546, _e1572, _e1757);
-                                                                                phi_2406_ = select(_e1575, _e1562, _e1757);
-                                                                                phi_2407_ = select(_e1572, _e1559, _e1757);
-                                                                                phi_2408_ = select(_e1700, _e1699, _e1762);
-                                                                                phi_2409_ = select(_e1708, _e1704, _e1762);
-                                                                                phi_2410_ = select(_e1704, _e1712, _e1762);
-                                                                                phi_2411_ = select(_e1712, _e1708, _e1762);
+                                                                                let _e1999 = (_e1980 == _e1997);
+                                                                                let _e2004 = vec3(_e1999);
+                                                                                phi_2760_ = select(_e1791, _e1817, _e1999);
+                                                                                phi_2761_ = select(_e1788, _e1814, _e1999);
+                                                                                phi_2762_ = select(_e1817, _e1804, _e1999);
+                                                                                phi_2763_ = select(_e1814, _e1801, _e1999);
+                                                                                phi_2764_ = select(_e1942, _e1941, _e2004);
+                                                                                phi_2765_ = select(_e1950, _e1946, _e2004);
+                                                                                phi_2766_ = select(_e1946, _e1954, _e2004);
+                                                                                phi_2767_ = select(_e1954, _e1950, _e2004);
                                                                             }
-                                                                            let _e1768 = phi_2404_;
-                                                                            let _e1770 = phi_2405_;
-                                                                            let _e1772 = phi_2406_;
-                                                                            let _e1774 = phi_2407_;
-                                                                            let _e1776 = phi_2408_;
-                                                                            let _e1778 = phi_2409_;
-                                                                            let _e1780 = phi_2410_;
-                                                                            let _e1782 = phi_2411_;
-                                                                            let _e1789 = ((_e1780.y * _e1778.z) - (_e1778.y * _e1780.z));
-                                                                            let _e1794 = ((_e1780.z * _e1778.x) - (_e1778.z * _e1780.x));
-                                                                            let _e1797 = ((_e1780.x * _e1778.y) - (_e1778.x * _e1780.y));
-                                                                            if (_e1597 >= _e1601) {
-                                                                                phi_2442_ = select(true, false, (_e1597 >= _e1605));
+                                                                            let _e2010 = phi_2760_;
+                                                                            let _e2012 = phi_2761_;
+                                                                            let _e2014 = phi_2762_;
+                                                                            let _e2016 = phi_2763_;
+                                                                            let _e2018 = phi_2764_;
+                                                                            let _e2020 = phi_2765_;
+                                                                            let _e2022 = phi_2766_;
+                                                                            let _e2024 = phi_2767_;
+                                                                            let _e2031 = ((_e2022.y * _e2020.z) - (_e2020.y * _e2022.z));
+                                                                            let _e2036 = ((_e2022.z * _e2020.x) - (_e2020.z * _e2022.x));
+                                                                            let _e2039 = ((_e2022.x * _e2020.y) - (_e2020.x * _e2022.y));
+                                                                            if (_e1839 >= _e1843) {
+                                                                                phi_2798_ = select(true, false, (_e1839 >= _e1847));
                                                                             } else {
-                                                                                phi_2442_ = true;
+                                                                                phi_2798_ = true;
                                                                             }
-                                                                            let _e1802 = phi_2442_;
-                                                                            if _e1802 {
-                                                                                phi_2451_ = select(_e1700, _e1699, vec3((_e1601 >= _e1605)));
+                                                                            let _e2044 = phi_2798_;
+                                                                            if _e2044 {
+                                                                                phi_2807_ = select(_e1942, _e1941, vec3((_e1843 >= _e1847)));
                                                                             } else {
-                                                                                phi_2451_ = _e1698;
+                                                                                phi_2807_ = _e1940;
                                                                             }
-                                                                            let _e1807 = phi_2451_;
-                                                                            let _e1818 = (((_e1789 * (_e1807.x - _e408)) + (_e1794 * (_e1807.y - _e445))) + (_e1797 * (_e1807.z - _e481)));
-                                                                            let _e1823 = (((_e1789 * _e433) + (_e1794 * _e469)) + (_e1797 * _e505));
-                                                                            let _e1824 = (_e1770 - _e1774);
-                                                                            let _e1825 = (_e1768 - _e1772);
-                                                                            let _e1833 = (-(((_e1774 * _e1824) + (_e1772 * _e1825))) / ((_e1824 * _e1824) + (_e1825 * _e1825)));
-                                                                            let _e1835 = select(1f, _e1833, (_e1833 < 1f));
-                                                                            let _e1837 = select(0f, _e1835, (_e1835 > 0f));
-                                                                            let _e1850 = ((_e1776.x + (_e1782.x * _e1837)) - _e408);
-                                                                            let _e1851 = ((_e1776.y + (_e1782.y * _e1837)) - _e445);
-                                                                            let _e1852 = ((_e1776.z + (_e1782.z * _e1837)) - _e481);
-                                                                            let _e1853 = (_e1852 / _e505);
-                                                                            let _e1865 = bitcast<f32>((bitcast<u32>(_e1850) & 2147483647u));
-                                                                            let _e1868 = bitcast<f32>((bitcast<u32>(_e1851) & 2147483647u));
-                                                                            let _e1870 = select(_e1868, _e1865, (_e1865 > _e1868));
-                                                                            let _e1873 = bitcast<f32>((bitcast<u32>(_e1852) & 2147483647u));
-                                                                            let _e1875 = select(_e1873, _e1870, (_e1870 > _e1873));
-                                                                            let _e1881 = bitcast<f32>((bitcast<u32>(_e1789) & 2147483647u));
-                                                                            let _e1884 = bitcast<f32>((bitcast<u32>(_e1794) & 2147483647u));
-                                                                            let _e1886 = select(_e1884, _e1881, (_e1881 > _e1884));
-                                                                            let _e1889 = bitcast<f32>((bitcast<u32>(_e1797) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1789 * _e1850) + (_e1794 * _e1851)) + (_e1797 * _e1852)) - _e1818)) & 2147483647u)) <= ((0.0000009536743f * select(_e1755, _e1875, (_e1875 > _e1755))) * select(_e1889, _e1886, (_e1886 > _e1889)))) {
-                                                                                let _e1899 = bitcast<f32>((bitcast<u32>(_e1780.x) & 2147483647u));
-                                                                                let _e1902 = bitcast<f32>((bitcast<u32>(_e1780.y) & 2147483647u));
-                                                                                let _e1904 = select(_e1902, _e1899, (_e1899 > _e1902));
-                                                                                let _e1907 = bitcast<f32>((bitcast<u32>(_e1780.z) & 2147483647u));
-                                                                                let _e1913 = bitcast<f32>((bitcast<u32>(_e1778.x) & 2147483647u));
-                                                                                let _e1916 = bitcast<f32>((bitcast<u32>(_e1778.y) & 2147483647u));
-                                                                                let _e1918 = select(_e1916, _e1913, (_e1913 > _e1916));
-                                                                                let _e1921 = bitcast<f32>((bitcast<u32>(_e1778.z) & 2147483647u));
-                                                                                let _e1925 = (bitcast<f32>((bitcast<u32>(_e1823) & 2147483647u)) > ((0.0000038146973f * select(_e1907, _e1904, (_e1904 > _e1907))) * select(_e1921, _e1918, (_e1918 > _e1921))));
-                                                                                if _e1925 {
-                                                                                    phi_2616_ = (_e1818 / _e1823);
+                                                                            let _e2049 = phi_2807_;
+                                                                            let _e2060 = (((_e2031 * (_e2049.x - _e486)) + (_e2036 * (_e2049.y - _e553))) + (_e2039 * (_e2049.z - _e619)));
+                                                                            let _e2065 = (((_e2031 * _e526) + (_e2036 * _e592)) + (_e2039 * _e658));
+                                                                            let _e2066 = (_e2012 - _e2016);
+                                                                            let _e2067 = (_e2010 - _e2014);
+                                                                            let _e2075 = (-(((_e2016 * _e2066) + (_e2014 * _e2067))) / ((_e2066 * _e2066) + (_e2067 * _e2067)));
+                                                                            let _e2077 = select(1f, _e2075, (_e2075 < 1f));
+                                                                            let _e2079 = select(0f, _e2077, (_e2077 > 0f));
+                                                                            let _e2092 = ((_e2018.x + (_e2024.x * _e2079)) - _e486);
+                                                                            let _e2093 = ((_e2018.y + (_e2024.y * _e2079)) - _e553);
+                                                                            let _e2094 = ((_e2018.z + (_e2024.z * _e2079)) - _e619);
+                                                                            let _e2095 = (_e2094 / _e658);
+                                                                            let _e2107 = bitcast<f32>((bitcast<u32>(_e2092) & 2147483647u));
+                                                                            let _e2110 = bitcast<f32>((bitcast<u32>(_e2093) & 2147483647u));
+                                                                            let _e2112 = select(_e2110, _e2107, (_e2107 > _e2110));
+                                                                            let _e2115 = bitcast<f32>((bitcast<u32>(_e2094) & 2147483647u));
+                                                                            let _e2117 = select(_e2115, _e2112, (_e2112 > _e2115));
+                                                                            let _e2123 = bitcast<f32>((bitcast<u32>(_e2031) & 2147483647u));
+                                                                            let _e2126 = bitcast<f32>((bitcast<u32>(_e2036) & 2147483647u));
+                                                                            let _e2128 = select(_e2126, _e2123, (_e2123 > _e2126));
+                                                                            let _e2131 = bitcast<f32>((bitcast<u32>(_e2039) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e2031 * _e2092) + (_e2036 * _e2093)) + (_e2039 * _e2094)) - _e2060)) & 2147483647u)) <= ((0.0000009536743f * select(_e1997, _e2117, (_e2117 > _e1997))) * select(_e2131, _e2128, (_e2128 > _e2131)))) {
+                                                                                let _e2141 = bitcast<f32>((bitcast<u32>(_e2022.x) & 2147483647u));
+                                                                                let _e2144 = bitcast<f32>((bitcast<u32>(_e2022.y) & 2147483647u));
+                                                                                let _e2146 = select(_e2144, _e2141, (_e2141 > _e2144));
+                                                                                let _e2149 = bitcast<f32>((bitcast<u32>(_e2022.z) & 2147483647u));
+                                                                                let _e2155 = bitcast<f32>((bitcast<u32>(_e2020.x) & 2147483647u));
+                                                                                let _e2158 = bitcast<f32>((bitcast<u32>(_e2020.y) & 2147483647u));
+                                                                                let _e2160 = select(_e2158, _e2155, (_e2155 > _e2158));
+                                                                                let _e2163 = bitcast<f32>((bitcast<u32>(_e2020.z) & 2147483647u));
+                                                                                let _e2167 = (bitcast<f32>((bitcast<u32>(_e2065) & 2147483647u)) > ((0.0000038146973f * select(_e2149, _e2146, (_e2146 > _e2149))) * select(_e2163, _e2160, (_e2160 > _e2163))));
+                                                                                if _e2167 {
+                                                                                    phi_2972_ = (_e2060 / _e2065);
                                                                                 } else {
-                                                                                    phi_2616_ = f32();
+                                                                                    phi_2972_ = f32();
                                                                                 }
-                                                                                let _e1928 = phi_2616_;
-                                                                                phi_2618_ = _e1928;
-                                                                                phi_2619_ = select(true, false, _e1925);
+                                                                                let _e2170 = phi_2972_;
+                                                                                phi_2974_ = _e2170;
+                                                                                phi_2975_ = select(true, false, _e2167);
                                                                             } else {
-                                                                                phi_2618_ = f32();
-                                                                                phi_2619_ = true;
+                                                                                phi_2974_ = f32();
+                                                                                phi_2975_ = true;
                                                                             }
-                                                                            let _e1931 = phi_2618_;
-                                                                            let _e1933 = phi_2619_;
-                                                                            if _e1933 {
-                                                                                let _e1941 = (((_e1789 * (_e1850 - (_e433 * _e1853))) + (_e1794 * (_e1851 - (_e469 * _e1853)))) / _e1823);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1941) & 2147483647u)) <= _e1755) {
-                                                                                    phi_2639_ = (_e1853 + _e1941);
+                                                                            let _e2173 = phi_2974_;
+                                                                            let _e2175 = phi_2975_;
+                                                                            if _e2175 {
+                                                                                let _e2183 = (((_e2031 * (_e2092 - (_e526 * _e2095))) + (_e2036 * (_e2093 - (_e592 * _e2095)))) / _e2065);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e2183) & 2147483647u)) <= _e1997) {
+                                                                                    phi_2995_ = (_e2095 + _e2183);
                                                                                 } else {
-                                                                                    phi_2639_ = _e1853;
+                                                                                    phi_2995_ = _e2095;
                                                                                 }
-                                                                                let _e1948 = phi_2639_;
-                                                                                phi_2640_ = _e1948;
+                                                                                let _e2190 = phi_2995_;
+                                                                                phi_2996_ = _e2190;
                                                                             } else {
-                                                                                phi_2640_ = _e1931;
+                                                                                phi_2996_ = _e2173;
                                                                             }
-                                                                            let _e1950 = phi_2640_;
-                                                                            let _e1952 = select(_e1688, _e1950, (_e1950 < _e1688));
-                                                                            let _e1954 = select(_e1680, _e1952, (_e1952 > _e1680));
-                                                                            if (_e1954 >= _e554) {
-                                                                                let _e1956 = (_e1954 <= _e1106.member);
-                                                                                if _e1956 {
-                                                                                    let _e1957 = (1f / _e1607);
-                                                                                    phi_2663_ = type_25(_e1954, (_e1601 * _e1957), (_e1605 * _e1957), _e1166);
+                                                                            let _e2192 = phi_2996_;
+                                                                            let _e2194 = select(_e1930, _e2192, (_e2192 < _e1930));
+                                                                            let _e2196 = select(_e1922, _e2194, (_e2194 > _e1922));
+                                                                            if (_e2196 >= _e772) {
+                                                                                let _e2198 = (_e2196 <= _e1330.member);
+                                                                                if _e2198 {
+                                                                                    let _e2199 = (1f / _e1849);
+                                                                                    phi_3019_ = type_25(_e2196, (_e1843 * _e2199), (_e1847 * _e2199), _e1390);
                                                                                 } else {
-                                                                                    phi_2663_ = type_25();
+                                                                                    phi_3019_ = type_25();
                                                                                 }
-                                                                                let _e1962 = phi_2663_;
-                                                                                phi_2665_ = _e1962;
-                                                                                phi_2666_ = select(true, false, _e1956);
+                                                                                let _e2204 = phi_3019_;
+                                                                                phi_3021_ = _e2204;
+                                                                                phi_3022_ = select(true, false, _e2198);
                                                                             } else {
-                                                                                phi_2665_ = type_25();
-                                                                                phi_2666_ = true;
+                                                                                phi_3021_ = type_25();
+                                                                                phi_3022_ = true;
                                                                             }
-                                                                            let _e1965 = phi_2665_;
-                                                                            let _e1967 = phi_2666_;
-                                                                            if _e1967 {
-                                                                                phi_2670_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e2207 = phi_3021_;
+                                                                            let _e2209 = phi_3022_;
+                                                                            if _e2209 {
+                                                                                phi_3026_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2670_ = _e1965;
+                                                                                phi_3026_ = _e2207;
                                                                             }
-                                                                            let _e1969 = phi_2670_;
-                                                                            phi_2671_ = _e1969;
+                                                                            let _e2211 = phi_3026_;
+                                                                            phi_3027_ = _e2211;
                                                                         }
-                                                                        let _e1971 = phi_2671_;
-                                                                        phi_2672_ = _e1971;
-                                                                        phi_2673_ = _e1697;
+                                                                        let _e2213 = phi_3027_;
+                                                                        phi_3028_ = _e2213;
+                                                                        phi_3029_ = _e1939;
                                                                     }
-                                                                    let _e1973 = phi_2672_;
-                                                                    let _e1975 = phi_2673_;
-                                                                    phi_2677_ = _e1973;
-                                                                    phi_2678_ = _e1975;
+                                                                    let _e2215 = phi_3028_;
+                                                                    let _e2217 = phi_3029_;
+                                                                    phi_3033_ = _e2215;
+                                                                    phi_3034_ = _e2217;
                                                                 }
-                                                                let _e1977 = phi_2677_;
-                                                                let _e1979 = phi_2678_;
-                                                                phi_2679_ = _e1977;
-                                                                phi_2680_ = _e1632;
-                                                                phi_2681_ = _e1979;
+                                                                let _e2219 = phi_3033_;
+                                                                let _e2221 = phi_3034_;
+                                                                phi_3035_ = _e2219;
+                                                                phi_3036_ = _e1874;
+                                                                phi_3037_ = _e2221;
                                                             }
-                                                            let _e1981 = phi_2679_;
-                                                            let _e1983 = phi_2680_;
-                                                            let _e1985 = phi_2681_;
-                                                            phi_2682_ = _e1981;
-                                                            phi_2683_ = _e1983;
-                                                            phi_2684_ = _e1985;
+                                                            let _e2223 = phi_3035_;
+                                                            let _e2225 = phi_3036_;
+                                                            let _e2227 = phi_3037_;
+                                                            phi_3038_ = _e2223;
+                                                            phi_3039_ = _e2225;
+                                                            phi_3040_ = _e2227;
                                                         }
-                                                        let _e1987 = phi_2682_;
-                                                        let _e1989 = phi_2683_;
-                                                        let _e1991 = phi_2684_;
-                                                        phi_2692_ = _e1987;
-                                                        phi_2693_ = select(_e1991, true, _e1989);
+                                                        let _e2229 = phi_3038_;
+                                                        let _e2231 = phi_3039_;
+                                                        let _e2233 = phi_3040_;
+                                                        phi_3048_ = _e2229;
+                                                        phi_3049_ = select(_e2233, true, _e2231);
                                                     } else {
-                                                        phi_2692_ = type_25();
-                                                        phi_2693_ = true;
+                                                        phi_3048_ = type_25();
+                                                        phi_3049_ = true;
                                                     }
-                                                    let _e1994 = phi_2692_;
-                                                    let _e1996 = phi_2693_;
-                                                    if _e1996 {
-                                                        phi_2697_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e2236 = phi_3048_;
+                                                    let _e2238 = phi_3049_;
+                                                    if _e2238 {
+                                                        phi_3053_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2697_ = _e1994;
+                                                        phi_3053_ = _e2236;
                                                     }
-                                                    let _e1998 = phi_2697_;
-                                                    if (_e1998.member_3 != 4294967295u) {
-                                                        if (_e1166 == _e171) {
-                                                            phi_3026_ = false;
+                                                    let _e2240 = phi_3053_;
+                                                    if (_e2240.member_3 != 4294967295u) {
+                                                        if (_e1390 == _e174) {
+                                                            phi_3382_ = false;
                                                         } else {
-                                                            let _e2002 = (_e1166 < arrayLength((&global_6.member)));
-                                                            if _e2002 {
-                                                                if _e2002 {
+                                                            let _e2244 = (_e1390 < arrayLength((&global_6.member)));
+                                                            if _e2244 {
+                                                                if _e2244 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e2004 = global_6.member[_e1166];
-                                                                phi_2720_ = _e2004;
+                                                                let _e2246 = global_6.member[_e1390];
+                                                                phi_3076_ = _e2246;
                                                             } else {
-                                                                phi_2720_ = 4294967295u;
+                                                                phi_3076_ = 4294967295u;
                                                             }
-                                                            let _e2006 = phi_2720_;
-                                                            let _e2007 = (_e2006 < arrayLength((&global_7.member)));
-                                                            if _e2007 {
-                                                                if _e2007 {
+                                                            let _e2248 = phi_3076_;
+                                                            let _e2249 = (_e2248 < arrayLength((&global_7.member)));
+                                                            if _e2249 {
+                                                                if _e2249 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e2009 = global_7.member[_e2006];
-                                                                phi_2734_ = _e2009;
+                                                                let _e2251 = global_7.member[_e2248];
+                                                                phi_3090_ = _e2251;
                                                             } else {
-                                                                phi_2734_ = 0i;
+                                                                phi_3090_ = 0i;
                                                             }
-                                                            let _e2011 = phi_2734_;
-                                                            let _e2012 = (_e2011 == 0i);
-                                                            if _e2012 {
-                                                                phi_3025_ = true;
+                                                            let _e2253 = phi_3090_;
+                                                            let _e2254 = (_e2253 == 0i);
+                                                            if _e2254 {
+                                                                phi_3381_ = true;
                                                             } else {
-                                                                if _e400 {
-                                                                    phi_2755_ = vec3<f32>(_e1535[0][0], _e1535[0][1], _e1535[0][2]);
+                                                                if _e463 {
+                                                                    phi_3111_ = vec3<f32>(_e1777[0][0], _e1777[0][1], _e1777[0][2]);
                                                                 } else {
-                                                                    if (_e376 == 1u) {
-                                                                        phi_2754_ = vec3<f32>(_e1535[0][2], _e1535[0][0], _e1535[0][1]);
+                                                                    if (_e439 == 1u) {
+                                                                        phi_3110_ = vec3<f32>(_e1777[0][2], _e1777[0][0], _e1777[0][1]);
                                                                     } else {
-                                                                        phi_2754_ = vec3<f32>(_e1535[0][1], _e1535[0][2], _e1535[0][0]);
+                                                                        phi_3110_ = vec3<f32>(_e1777[0][1], _e1777[0][2], _e1777[0][0]);
                                                                     }
-                                                                    let _e2017 = phi_2754_;
-                                                                    phi_2755_ = _e2017;
+                                                                    let _e2259 = phi_3110_;
+                                                                    phi_3111_ = _e2259;
                                                                 }
-                                                                let _e2020 = phi_2755_;
-                                                                if _e400 {
-                                                                    phi_2772_ = vec3<f32>(_e1535[1][0], _e1535[1][1], _e1535[1][2]);
+                                                                let _e2262 = phi_3111_;
+                                                                if _e463 {
+                                                                    phi_3128_ = vec3<f32>(_e1777[1][0], _e1777[1][1], _e1777[1][2]);
                                                                 } else {
-                                                                    if (_e376 == 1u) {
-                                                                        phi_2771_ = vec3<f32>(_e1535[1][2], _e1535[1][0], _e1535[1][1]);
+                                                                    if (_e439 == 1u) {
+                                                                        phi_3127_ = vec3<f32>(_e1777[1][2], _e1777[1][0], _e1777[1][1]);
                                                                     } else {
-                                                                        phi_2771_ = vec3<f32>(_e1535[1][1], _e1535[1][2], _e1535[1][0]);
+                                                                        phi_3127_ = vec3<f32>(_e1777[1][1], _e1777[1][2], _e1777[1][0]);
                                                                     }
-                                                                    let _e2025 = phi_2771_;
-                                                                    phi_2772_ = _e2025;
+                                                                    let _e2267 = phi_3127_;
+                                                                    phi_3128_ = _e2267;
                                                                 }
-                                                                let _e2028 = phi_2772_;
-                                                                if _e400 {
-                                                                    phi_2789_ = vec3<f32>(_e1535[2][0], _e1535[2][1], _e1535[2][2]);
+                                                                let _e2270 = phi_3128_;
+                                                                if _e463 {
+                                                                    phi_3145_ = vec3<f32>(_e1777[2][0], _e1777[2][1], _e1777[2][2]);
                                                                 } else {
-                                                                    if (_e376 == 1u) {
-                                                                        phi_2788_ = vec3<f32>(_e1535[2][2], _e1535[2][0], _e1535[2][1]);
+                                                                    if (_e439 == 1u) {
+                                                                        phi_3144_ = vec3<f32>(_e1777[2][2], _e1777[2][0], _e1777[2][1]);
                                                                     } else {
-                                                                        phi_2788_ = vec3<f32>(_e1535[2][1], _e1535[2][2], _e1535[2][0]);
+                                                                        phi_3144_ = vec3<f32>(_e1777[2][1], _e1777[2][2], _e1777[2][0]);
                                                                     }
-                                                                    let _e2033 = phi_2788_;
-                                                                    phi_2789_ = _e2033;
+                                                                    let _e2275 = phi_3144_;
+                                                                    phi_3145_ = _e2275;
                                                                 }
-                                                                let _e2036 = phi_2789_;
-                                                                let _e2039 = (_e2028.x - _e2020.x);
-                                                                let _e2042 = (_e2028.y - _e2020.y);
-                                                                let _e2045 = (_e2028.z - _e2020.z);
-                                                                let _e2047 = (_e2036.x - _e2020.x);
-                                                                let _e2049 = (_e2036.y - _e2020.y);
-                                                                let _e2051 = (_e2036.z - _e2020.z);
-                                                                if (_e243.member_1 == 1u) {
-                                                                    phi_2825_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e2020);
+                                                                let _e2278 = phi_3145_;
+                                                                let _e2281 = (_e2270.x - _e2262.x);
+                                                                let _e2284 = (_e2270.y - _e2262.y);
+                                                                let _e2287 = (_e2270.z - _e2262.z);
+                                                                let _e2289 = (_e2278.x - _e2262.x);
+                                                                let _e2291 = (_e2278.y - _e2262.y);
+                                                                let _e2293 = (_e2278.z - _e2262.z);
+                                                                if (_e306.member_1 == 1u) {
+                                                                    phi_3181_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e2262);
                                                                 } else {
-                                                                    phi_2825_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
+                                                                    phi_3181_ = vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]);
                                                                 }
-                                                                let _e2066 = phi_2825_;
-                                                                let _e2072 = bitcast<f32>((bitcast<u32>((_e2039 * _e2049)) ^ _e243.member_3[0]));
-                                                                let _e2076 = bitcast<f32>((bitcast<u32>((_e2042 * _e2047)) ^ _e243.member_3[0]));
-                                                                let _e2080 = bitcast<f32>((bitcast<u32>((_e2042 * _e2051)) ^ _e243.member_3[0]));
-                                                                let _e2084 = bitcast<f32>((bitcast<u32>((_e2045 * _e2049)) ^ _e243.member_3[0]));
-                                                                let _e2088 = bitcast<f32>((bitcast<u32>((_e2045 * _e2047)) ^ _e243.member_3[0]));
-                                                                let _e2092 = bitcast<f32>((bitcast<u32>((_e2039 * _e2051)) ^ _e243.member_3[0]));
-                                                                let _e2093 = (_e2080 - _e2084);
-                                                                let _e2094 = (_e2088 - _e2092);
-                                                                let _e2095 = (_e2072 - _e2076);
-                                                                let _e2119 = (bitcast<f32>((bitcast<u32>(_e2080) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2084) & 2147483647u)));
-                                                                let _e2126 = (bitcast<f32>((bitcast<u32>(_e2088) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2092) & 2147483647u)));
-                                                                let _e2133 = (bitcast<f32>((bitcast<u32>(_e2072) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2076) & 2147483647u)));
-                                                                if (_e243.member_2 == 0f) {
-                                                                    phi_3007_ = 0f;
+                                                                let _e2308 = phi_3181_;
+                                                                let _e2314 = bitcast<f32>((bitcast<u32>((_e2281 * _e2291)) ^ _e306.member_3[0]));
+                                                                let _e2318 = bitcast<f32>((bitcast<u32>((_e2284 * _e2289)) ^ _e306.member_3[0]));
+                                                                let _e2322 = bitcast<f32>((bitcast<u32>((_e2284 * _e2293)) ^ _e306.member_3[0]));
+                                                                let _e2326 = bitcast<f32>((bitcast<u32>((_e2287 * _e2291)) ^ _e306.member_3[0]));
+                                                                let _e2330 = bitcast<f32>((bitcast<u32>((_e2287 * _e2289)) ^ _e306.member_3[0]));
+                                                                let _e2334 = bitcast<f32>((bitcast<u32>((_e2281 * _e2293)) ^ _e306.member_3[0]));
+                                                                let _e2335 = (_e2322 - _e2326);
+                                                                let _e2336 = (_e2330 - _e2334);
+                                                                let _e2337 = (_e2314 - _e2318);
+                                                                let _e2361 = (bitcast<f32>((bitcast<u32>(_e2322) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2326) & 2147483647u)));
+                                                                let _e2368 = (bitcast<f32>((bitcast<u32>(_e2330) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2334) & 2147483647u)));
+                                                                let _e2375 = (bitcast<f32>((bitcast<u32>(_e2314) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2318) & 2147483647u)));
+                                                                if (_e306.member_2 == 0f) {
+                                                                    phi_3363_ = 0f;
                                                                 } else {
-                                                                    let _e2163 = bitcast<f32>((bitcast<u32>(_e2093) & 2147483647u));
-                                                                    let _e2166 = bitcast<f32>((bitcast<u32>(_e2094) & 2147483647u));
-                                                                    let _e2169 = bitcast<f32>((bitcast<u32>(_e2095) & 2147483647u));
-                                                                    let _e2171 = select(_e2169, _e2166, (_e2166 > _e2169));
-                                                                    let _e2175 = select(_e2169, _e2166, (_e2166 < _e2169));
-                                                                    let _e2179 = select(_e2166, _e2163, (_e2163 < _e2166));
-                                                                    let _e2181 = select(_e2166, _e2163, (_e2163 > _e2166));
-                                                                    let _e2183 = select(_e2169, _e2181, (_e2181 < _e2169));
-                                                                    phi_3007_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2171, _e2163, (_e2163 > _e2171)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2183, _e2179, (_e2179 > _e2183)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2175, _e2163, (_e2163 < _e2175)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2119 + _e2126) + _e2133))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
+                                                                    let _e2405 = bitcast<f32>((bitcast<u32>(_e2335) & 2147483647u));
+                                                                    let _e2408 = bitcast<f32>((bitcast<u32>(_e2336) & 2147483647u));
+                                                                    let _e2411 = bitcast<f32>((bitcast<u32>(_e2337) & 2147483647u));
+                                                                    let _e2413 = select(_e2411, _e2408, (_e2408 > _e2411));
+                                                                    let _e2417 = select(_e2411, _e2408, (_e2408 < _e2411));
+                                                                    let _e2421 = select(_e2408, _e2405, (_e2405 < _e2408));
+                                                                    let _e2423 = select(_e2408, _e2405, (_e2405 > _e2408));
+                                                                    let _e2425 = select(_e2411, _e2423, (_e2423 < _e2411));
+                                                                    phi_3363_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2413, _e2405, (_e2405 > _e2413)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2425, _e2421, (_e2421 > _e2425)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2417, _e2405, (_e2405 < _e2417)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2361 + _e2368) + _e2375))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
                                                                 }
-                                                                let _e2210 = phi_3007_;
-                                                                phi_3025_ = (_e2012 || !(((((bitcast<f32>((bitcast<u32>((_e2066.x * _e2093)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2066.y * _e2094)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2066.z * _e2095)) ^ _e243.member_3[0]))) * f32(-(_e2011))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2066.x) & 2147483647u)) * _e2119)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2066.y) & 2147483647u)) * _e2126)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2066.z) & 2147483647u)) * _e2133)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e2210) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e2452 = phi_3363_;
+                                                                phi_3381_ = (_e2254 || !(((((bitcast<f32>((bitcast<u32>((_e2308.x * _e2335)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2308.y * _e2336)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2308.z * _e2337)) ^ _e306.member_3[0]))) * f32(-(_e2253))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.x) & 2147483647u)) * _e2361)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.y) & 2147483647u)) * _e2368)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.z) & 2147483647u)) * _e2375)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e2452) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e2224 = phi_3025_;
-                                                            phi_3026_ = _e2224;
+                                                            let _e2466 = phi_3381_;
+                                                            phi_3382_ = _e2466;
                                                         }
-                                                        let _e2226 = phi_3026_;
-                                                        if _e2226 {
-                                                            phi_3031_ = type_46(_e1106.member, true);
+                                                        let _e2468 = phi_3382_;
+                                                        if _e2468 {
+                                                            phi_3387_ = type_46(_e1330.member, true);
                                                         } else {
-                                                            phi_3031_ = _e1106;
+                                                            phi_3387_ = _e1330;
                                                         }
-                                                        let _e2231 = phi_3031_;
-                                                        phi_3032_ = _e2231;
+                                                        let _e2473 = phi_3387_;
+                                                        phi_3388_ = _e2473;
                                                     } else {
-                                                        phi_3032_ = _e1106;
+                                                        phi_3388_ = _e1330;
                                                     }
-                                                    let _e2233 = phi_3032_;
-                                                    phi_1139_ = _e2233;
+                                                    let _e2475 = phi_3388_;
+                                                    phi_1477_ = _e2475;
                                                 } else {
-                                                    phi_1139_ = type_46();
+                                                    phi_1477_ = type_46();
                                                 }
-                                                let _e2235 = phi_1139_;
+                                                let _e2477 = phi_1477_;
                                                 continue;
                                                 continuing {
-                                                    phi_1138_ = _e2235;
-                                                    phi_1141_ = _e1121;
-                                                    phi_4531_ = _e596;
-                                                    break if !(_e1127);
+                                                    phi_1476_ = _e2477;
+                                                    phi_1479_ = _e1345;
+                                                    phi_4895_ = _e814;
+                                                    break if !(_e1351);
                                                 }
                                             }
-                                            let _e2238 = phi_4531_;
-                                            phi_4744_ = _e2238;
-                                            if _e2238 {
+                                            let _e2480 = phi_4895_;
+                                            phi_5134_ = _e2480;
+                                            if _e2480 {
                                                 break;
                                             }
-                                            let _e2240 = local_10;
-                                            phi_4748_ = _e2238;
-                                            let _e2480 = local_12;
-                                            phi_4273_ = _e2480;
-                                            phi_4274_ = _e637;
-                                            phi_4275_ = false;
-                                            phi_4276_ = select(_e641, 0u, _e2240.member_1);
+                                            let _e2482 = local_10;
+                                            phi_5138_ = _e2480;
+                                            let _e2728 = local_12;
+                                            phi_4629_ = _e2728;
+                                            phi_4630_ = _e855;
+                                            phi_4631_ = false;
+                                            phi_4632_ = select(_e859, 0u, _e2482.member_1);
                                         } else {
-                                            if (_e637.member_1 >= _e103) {
-                                                phi_3829_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e855.member_1 >= _e106) {
+                                                phi_4185_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e637.member_1 < _e103) {
+                                                if (_e855.member_1 < _e106) {
                                                 } else {
-                                                    phi_4744_ = true;
+                                                    phi_5134_ = true;
                                                     break;
                                                 }
-                                                let _e654 = ((1u + _e376) % 4u);
-                                                if (_e654 < 4u) {
+                                                let _e872 = ((1u + _e439) % 4u);
+                                                if (_e872 < 4u) {
                                                 } else {
-                                                    phi_4744_ = true;
+                                                    phi_5134_ = true;
                                                     break;
                                                 }
-                                                let _e659 = global_5.member[_e637.member_1][_e654];
-                                                let _e661 = (_e659 >> bitcast<u32>(11u));
-                                                let _e663 = ((1u + _e375) % 4u);
-                                                if (_e663 < 4u) {
+                                                let _e877 = global_5.member[_e855.member_1][_e872];
+                                                let _e879 = (_e877 >> bitcast<u32>(11u));
+                                                let _e881 = ((1u + _e438) % 4u);
+                                                if (_e881 < 4u) {
                                                 } else {
-                                                    phi_4744_ = true;
+                                                    phi_5134_ = true;
                                                     break;
                                                 }
-                                                let _e668 = global_5.member[_e637.member_1][_e663];
-                                                let _e670 = (_e668 >> bitcast<u32>(11u));
-                                                let _e672 = ((1u + _e377) % 4u);
-                                                if (_e672 < 4u) {
+                                                let _e886 = global_5.member[_e855.member_1][_e881];
+                                                let _e888 = (_e886 >> bitcast<u32>(11u));
+                                                let _e890 = ((1u + _e440) % 4u);
+                                                if (_e890 < 4u) {
                                                 } else {
-                                                    phi_4744_ = true;
+                                                    phi_5134_ = true;
                                                     break;
                                                 }
-                                                let _e677 = global_5.member[_e637.member_1][_e672];
-                                                let _e679 = (_e677 >> bitcast<u32>(11u));
-                                                let _e702 = (bitcast<f32>((bitcast<u32>((_e637.member.member_1.x - _e637.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e703 = (bitcast<f32>((bitcast<u32>((_e637.member.member_1.y - _e637.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e704 = (bitcast<f32>((bitcast<u32>((_e637.member.member_1.z - _e637.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e706 = select(_e162, _e702, (_e702 > _e162));
-                                                let _e708 = select(_e162, _e703, (_e703 > _e162));
-                                                let _e710 = select(_e162, _e704, (_e704 > _e162));
-                                                let _e735 = bitcast<u32>((f32(bitcast<i32>((_e659 & 1023u))) * _e706));
-                                                let _e740 = (bitcast<i32>((_e659 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e743 = bitcast<f32>((_e735 & bitcast<u32>(_e740)));
-                                                let _e744 = bitcast<u32>((f32(bitcast<i32>((_e668 & 1023u))) * _e708));
-                                                let _e749 = (bitcast<i32>((_e668 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e752 = bitcast<f32>((_e744 & bitcast<u32>(_e749)));
-                                                let _e753 = bitcast<u32>((f32(bitcast<i32>((_e677 & 1023u))) * _e710));
-                                                let _e758 = (bitcast<i32>((_e677 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e761 = bitcast<f32>((_e753 & bitcast<u32>(_e758)));
-                                                let _e765 = bitcast<f32>((_e735 & bitcast<u32>(~(_e740))));
-                                                let _e769 = bitcast<f32>((_e744 & bitcast<u32>(~(_e749))));
-                                                let _e773 = bitcast<f32>((_e753 & bitcast<u32>(~(_e758))));
-                                                let _e774 = bitcast<u32>((f32(bitcast<i32>((_e661 & 1023u))) * _e706));
-                                                let _e779 = (bitcast<i32>((_e661 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e782 = bitcast<f32>((_e774 & bitcast<u32>(_e779)));
-                                                let _e783 = bitcast<u32>((f32(bitcast<i32>((_e670 & 1023u))) * _e708));
-                                                let _e788 = (bitcast<i32>((_e670 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e791 = bitcast<f32>((_e783 & bitcast<u32>(_e788)));
-                                                let _e792 = bitcast<u32>((f32(bitcast<i32>((_e679 & 1023u))) * _e710));
-                                                let _e797 = (bitcast<i32>((_e679 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e800 = bitcast<f32>((_e792 & bitcast<u32>(_e797)));
-                                                let _e804 = bitcast<f32>((_e774 & bitcast<u32>(~(_e779))));
-                                                let _e808 = bitcast<f32>((_e783 & bitcast<u32>(~(_e788))));
-                                                let _e812 = bitcast<f32>((_e792 & bitcast<u32>(~(_e797))));
-                                                let _e813 = (_e637.member.member.x + _e743);
-                                                let _e814 = (_e637.member.member.y + _e752);
-                                                let _e815 = (_e637.member.member.z + _e761);
-                                                let _e818 = (_e637.member.member_1.x - _e782);
-                                                let _e819 = (_e637.member.member_1.y - _e791);
-                                                let _e820 = (_e637.member.member_1.z - _e800);
-                                                let _e839 = (_e818 - _e813);
-                                                let _e840 = (_e819 - _e814);
-                                                let _e841 = (_e820 - _e815);
-                                                let _e843 = select(_e840, _e839, (_e839 > _e840));
-                                                let _e845 = select(_e841, _e843, (_e843 > _e841));
-                                                if (_e845 < (1024f * _e162)) {
-                                                    phi_3530_ = 0u;
+                                                let _e895 = global_5.member[_e855.member_1][_e890];
+                                                let _e897 = (_e895 >> bitcast<u32>(11u));
+                                                let _e920 = (bitcast<f32>((bitcast<u32>((_e855.member.member_1.x - _e855.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e921 = (bitcast<f32>((bitcast<u32>((_e855.member.member_1.y - _e855.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e922 = (bitcast<f32>((bitcast<u32>((_e855.member.member_1.z - _e855.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e924 = select(_e165, _e920, (_e920 > _e165));
+                                                let _e926 = select(_e165, _e921, (_e921 > _e165));
+                                                let _e928 = select(_e165, _e922, (_e922 > _e165));
+                                                let _e959 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e877 & 1023u))) - 8388608f) * _e924));
+                                                let _e964 = (bitcast<i32>((_e877 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e967 = bitcast<f32>((_e959 & bitcast<u32>(_e964)));
+                                                let _e968 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e886 & 1023u))) - 8388608f) * _e926));
+                                                let _e973 = (bitcast<i32>((_e886 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e976 = bitcast<f32>((_e968 & bitcast<u32>(_e973)));
+                                                let _e977 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e895 & 1023u))) - 8388608f) * _e928));
+                                                let _e982 = (bitcast<i32>((_e895 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e985 = bitcast<f32>((_e977 & bitcast<u32>(_e982)));
+                                                let _e989 = bitcast<f32>((_e959 & bitcast<u32>(~(_e964))));
+                                                let _e993 = bitcast<f32>((_e968 & bitcast<u32>(~(_e973))));
+                                                let _e997 = bitcast<f32>((_e977 & bitcast<u32>(~(_e982))));
+                                                let _e998 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e879 & 1023u))) - 8388608f) * _e924));
+                                                let _e1003 = (bitcast<i32>((_e879 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1006 = bitcast<f32>((_e998 & bitcast<u32>(_e1003)));
+                                                let _e1007 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e888 & 1023u))) - 8388608f) * _e926));
+                                                let _e1012 = (bitcast<i32>((_e888 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1015 = bitcast<f32>((_e1007 & bitcast<u32>(_e1012)));
+                                                let _e1016 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e897 & 1023u))) - 8388608f) * _e928));
+                                                let _e1021 = (bitcast<i32>((_e897 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1024 = bitcast<f32>((_e1016 & bitcast<u32>(_e1021)));
+                                                let _e1028 = bitcast<f32>((_e998 & bitcast<u32>(~(_e1003))));
+                                                let _e1032 = bitcast<f32>((_e1007 & bitcast<u32>(~(_e1012))));
+                                                let _e1036 = bitcast<f32>((_e1016 & bitcast<u32>(~(_e1021))));
+                                                let _e1037 = (_e855.member.member.x + _e967);
+                                                let _e1038 = (_e855.member.member.y + _e976);
+                                                let _e1039 = (_e855.member.member.z + _e985);
+                                                let _e1042 = (_e855.member.member_1.x - _e1006);
+                                                let _e1043 = (_e855.member.member_1.y - _e1015);
+                                                let _e1044 = (_e855.member.member_1.z - _e1024);
+                                                let _e1063 = (_e1042 - _e1037);
+                                                let _e1064 = (_e1043 - _e1038);
+                                                let _e1065 = (_e1044 - _e1039);
+                                                let _e1067 = select(_e1064, _e1063, (_e1063 > _e1064));
+                                                let _e1069 = select(_e1065, _e1067, (_e1067 > _e1065));
+                                                if (_e1069 < (1024f * _e165)) {
+                                                    phi_3886_ = 0u;
                                                 } else {
-                                                    phi_3530_ = select(2u, 1u, (_e845 < (2097152f * _e162)));
+                                                    phi_3886_ = select(2u, 1u, (_e1069 < (2097152f * _e165)));
                                                 }
-                                                let _e852 = phi_3530_;
-                                                switch bitcast<i32>(_e852) {
+                                                let _e1076 = phi_3886_;
+                                                switch bitcast<i32>(_e1076) {
                                                     case 0: {
-                                                        phi_3536_ = 1u;
+                                                        phi_3892_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3536_ = 2u;
+                                                        phi_3892_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3536_ = 3u;
+                                                        phi_3892_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3536_ = u32();
+                                                        phi_3892_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e855 = phi_3536_;
-                                                let _e861 = global_5.member[_e637.member_1][0u];
-                                                let _e865 = global_5.member[_e637.member_1][1u];
-                                                let _e869 = global_5.member[_e637.member_1][2u];
-                                                let _e873 = global_5.member[_e637.member_1][3u];
-                                                let _e885 = (((_e865 >> bitcast<u32>(22i)) | ((_e869 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e873 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e886 = (_e861 & 268435455u);
-                                                let _e887 = (_e885 & 268435455u);
-                                                let _e890 = ((_e861 >> bitcast<u32>(28u)) & 7u);
-                                                let _e898 = ((_e861 >> bitcast<u32>(31i)) | (((_e885 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e899 = (_e890 != 0u);
-                                                if (_e890 == 0u) {
-                                                    phi_3791_ = _e886;
+                                                let _e1079 = phi_3892_;
+                                                let _e1085 = global_5.member[_e855.member_1][0u];
+                                                let _e1089 = global_5.member[_e855.member_1][1u];
+                                                let _e1093 = global_5.member[_e855.member_1][2u];
+                                                let _e1097 = global_5.member[_e855.member_1][3u];
+                                                let _e1109 = (((_e1089 >> bitcast<u32>(22i)) | ((_e1093 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1097 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e1110 = (_e1085 & 268435455u);
+                                                let _e1111 = (_e1109 & 268435455u);
+                                                let _e1114 = ((_e1085 >> bitcast<u32>(28u)) & 7u);
+                                                let _e1122 = ((_e1085 >> bitcast<u32>(31i)) | (((_e1109 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e1123 = (_e1114 != 0u);
+                                                if (_e1114 == 0u) {
+                                                    phi_4147_ = _e1110;
                                                 } else {
-                                                    if (_e890 == 7u) {
-                                                        phi_3790_ = 2147483648u;
+                                                    if (_e1114 == 7u) {
+                                                        phi_4146_ = 2147483648u;
                                                     } else {
-                                                        phi_3790_ = ((2147483648u | (_e890 << bitcast<u32>(28u))) | (_e887 & 268435455u));
+                                                        phi_4146_ = ((2147483648u | (_e1114 << bitcast<u32>(28u))) | (_e1111 & 268435455u));
                                                     }
-                                                    let _e908 = phi_3790_;
-                                                    phi_3791_ = _e908;
+                                                    let _e1132 = phi_4146_;
+                                                    phi_4147_ = _e1132;
                                                 }
-                                                let _e910 = phi_3791_;
-                                                if _e899 {
-                                                    let _e911 = (_e890 != 7u);
-                                                    if _e911 {
-                                                        phi_3801_ = (_e887 + (_e890 * ((3u * _e855) + 1u)));
+                                                let _e1134 = phi_4147_;
+                                                if _e1123 {
+                                                    let _e1135 = (_e1114 != 7u);
+                                                    if _e1135 {
+                                                        phi_4157_ = (_e1111 + (_e1114 * ((3u * _e1079) + 1u)));
                                                     } else {
-                                                        phi_3801_ = u32();
+                                                        phi_4157_ = u32();
                                                     }
-                                                    let _e915 = phi_3801_;
-                                                    phi_3803_ = _e915;
-                                                    phi_3804_ = select(true, false, _e911);
+                                                    let _e1139 = phi_4157_;
+                                                    phi_4159_ = _e1139;
+                                                    phi_4160_ = select(true, false, _e1135);
                                                 } else {
-                                                    phi_3803_ = u32();
-                                                    phi_3804_ = true;
+                                                    phi_4159_ = u32();
+                                                    phi_4160_ = true;
                                                 }
-                                                let _e918 = phi_3803_;
-                                                let _e920 = phi_3804_;
-                                                if (_e898 == 0u) {
-                                                    phi_3825_ = (_e886 + select(0u, 1u, !(_e899)));
+                                                let _e1142 = phi_4159_;
+                                                let _e1144 = phi_4160_;
+                                                if (_e1122 == 0u) {
+                                                    phi_4181_ = (_e1110 + select(0u, 1u, !(_e1123)));
                                                 } else {
-                                                    if (_e898 == 7u) {
-                                                        phi_3824_ = 2147483648u;
+                                                    if (_e1122 == 7u) {
+                                                        phi_4180_ = 2147483648u;
                                                     } else {
-                                                        phi_3824_ = ((2147483648u | (_e898 << bitcast<u32>(28u))) | (select(_e918, _e887, _e920) & 268435455u));
+                                                        phi_4180_ = ((2147483648u | (_e1122 << bitcast<u32>(28u))) | (select(_e1142, _e1111, _e1144) & 268435455u));
                                                     }
-                                                    let _e933 = phi_3824_;
-                                                    phi_3825_ = _e933;
+                                                    let _e1157 = phi_4180_;
+                                                    phi_4181_ = _e1157;
                                                 }
-                                                let _e935 = phi_3825_;
-                                                phi_3829_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e813, (_e637.member.member.x + _e765), _e818, (_e637.member.member_1.x - _e804)), vec4<f32>(_e814, (_e637.member.member.y + _e769), _e819, (_e637.member.member_1.y - _e808)), vec4<f32>(_e815, (_e637.member.member.z + _e773), _e820, (_e637.member.member_1.z - _e812))), type_58(type_34((_e637.member.member + vec4<f32>(_e743, _e752, _e761, 0f)), (_e637.member.member_1 - vec4<f32>(_e782, _e791, _e800, 0f))), _e910), type_58(type_34((_e637.member.member + vec4<f32>(_e765, _e769, _e773, 0f)), (_e637.member.member_1 - vec4<f32>(_e804, _e808, _e812, 0f))), _e935));
+                                                let _e1159 = phi_4181_;
+                                                phi_4185_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e1037, (_e855.member.member.x + _e989), _e1042, (_e855.member.member_1.x - _e1028)), vec4<f32>(_e1038, (_e855.member.member.y + _e993), _e1043, (_e855.member.member_1.y - _e1032)), vec4<f32>(_e1039, (_e855.member.member.z + _e997), _e1044, (_e855.member.member_1.z - _e1036))), type_58(type_34((_e855.member.member + vec4<f32>(_e967, _e976, _e985, 0f)), (_e855.member.member_1 - vec4<f32>(_e1006, _e1015, _e1024, 0f))), _e1134), type_58(type_34((_e855.member.member + vec4<f32>(_e989, _e993, _e997, 0f)), (_e855.member.member_1 - vec4<f32>(_e1028, _e1032, _e1036, 0f))), _e1159));
                                             }
-                                            let _e940 = phi_3829_;
-                                            let _e952 = ((_e940.member[0].x - _e431) * _e436);
-                                            let _e953 = ((_e940.member[0].y - _e431) * _e436);
-                                            let _e954 = ((_e940.member[0].z - _e432) * _e436);
-                                            let _e955 = ((_e940.member[0].w - _e432) * _e436);
-                                            let _e965 = ((_e940.member[1].x - _e467) * _e472);
-                                            let _e966 = ((_e940.member[1].y - _e467) * _e472);
-                                            let _e967 = ((_e940.member[1].z - _e468) * _e472);
-                                            let _e968 = ((_e940.member[1].w - _e468) * _e472);
-                                            let _e978 = ((_e940.member[2].x - _e503) * _e508);
-                                            let _e979 = ((_e940.member[2].y - _e503) * _e508);
-                                            let _e980 = ((_e940.member[2].z - _e504) * _e508);
-                                            let _e981 = ((_e940.member[2].w - _e504) * _e508);
-                                            let _e983 = select(_e980, _e978, (_e978 < _e980));
-                                            let _e985 = select(_e981, _e979, (_e979 < _e981));
-                                            let _e987 = select(_e980, _e978, (_e978 > _e980));
-                                            let _e989 = select(_e981, _e979, (_e979 > _e981));
-                                            let _e991 = select(_e954, _e952, (_e952 < _e954));
-                                            let _e993 = select(_e955, _e953, (_e953 < _e955));
-                                            let _e995 = select(_e967, _e965, (_e965 < _e967));
-                                            let _e997 = select(_e968, _e966, (_e966 < _e968));
-                                            let _e999 = select(_e995, _e991, (_e991 > _e995));
-                                            let _e1001 = select(_e997, _e993, (_e993 > _e997));
-                                            let _e1003 = select(_e983, _e999, (_e999 > _e983));
-                                            let _e1005 = select(_e985, _e1001, (_e1001 > _e985));
-                                            let _e1007 = select(_e954, _e952, (_e952 > _e954));
-                                            let _e1009 = select(_e955, _e953, (_e953 > _e955));
-                                            let _e1011 = select(_e967, _e965, (_e965 > _e967));
-                                            let _e1013 = select(_e968, _e966, (_e966 > _e968));
-                                            let _e1015 = select(_e1011, _e1007, (_e1007 < _e1011));
-                                            let _e1017 = select(_e1013, _e1009, (_e1009 < _e1013));
-                                            let _e1022 = -(_e983);
-                                            let _e1023 = -(_e985);
-                                            let _e1030 = (select(_e987, _e1015, (_e1015 < _e987)) + (select(_e1022, _e987, (_e987 > _e1022)) * 0.0000019073523f));
-                                            let _e1031 = (select(_e989, _e1017, (_e1017 < _e989)) + (select(_e1023, _e989, (_e989 > _e1023)) * 0.0000019073523f));
-                                            let _e1033 = select(_e554, _e1003, (_e1003 > _e554));
-                                            let _e1035 = select(_e554, _e1005, (_e1005 > _e554));
-                                            let _e1040 = (_e1033 <= select(_e598.member, _e1030, (_e1030 < _e598.member)));
-                                            let _e1041 = (_e1035 <= select(_e598.member, _e1031, (_e1031 < _e598.member)));
-                                            let _e1042 = (_e1033 <= _e1035);
-                                            if _e1040 {
-                                                if _e1041 {
-                                                    if _e1042 {
-                                                        phi_4173_ = _e940.member_2;
+                                            let _e1164 = phi_4185_;
+                                            let _e1176 = ((_e1164.member[0].x - _e524) * _e529);
+                                            let _e1177 = ((_e1164.member[0].y - _e524) * _e529);
+                                            let _e1178 = ((_e1164.member[0].z - _e525) * _e529);
+                                            let _e1179 = ((_e1164.member[0].w - _e525) * _e529);
+                                            let _e1189 = ((_e1164.member[1].x - _e590) * _e595);
+                                            let _e1190 = ((_e1164.member[1].y - _e590) * _e595);
+                                            let _e1191 = ((_e1164.member[1].z - _e591) * _e595);
+                                            let _e1192 = ((_e1164.member[1].w - _e591) * _e595);
+                                            let _e1202 = ((_e1164.member[2].x - _e656) * _e661);
+                                            let _e1203 = ((_e1164.member[2].y - _e656) * _e661);
+                                            let _e1204 = ((_e1164.member[2].z - _e657) * _e661);
+                                            let _e1205 = ((_e1164.member[2].w - _e657) * _e661);
+                                            let _e1207 = select(_e1204, _e1202, (_e1202 < _e1204));
+                                            let _e1209 = select(_e1205, _e1203, (_e1203 < _e1205));
+                                            let _e1211 = select(_e1204, _e1202, (_e1202 > _e1204));
+                                            let _e1213 = select(_e1205, _e1203, (_e1203 > _e1205));
+                                            let _e1215 = select(_e1178, _e1176, (_e1176 < _e1178));
+                                            let _e1217 = select(_e1179, _e1177, (_e1177 < _e1179));
+                                            let _e1219 = select(_e1191, _e1189, (_e1189 < _e1191));
+                                            let _e1221 = select(_e1192, _e1190, (_e1190 < _e1192));
+                                            let _e1223 = select(_e1219, _e1215, (_e1215 > _e1219));
+                                            let _e1225 = select(_e1221, _e1217, (_e1217 > _e1221));
+                                            let _e1227 = select(_e1207, _e1223, (_e1223 > _e1207));
+                                            let _e1229 = select(_e1209, _e1225, (_e1225 > _e1209));
+                                            let _e1231 = select(_e1178, _e1176, (_e1176 > _e1178));
+                                            let _e1233 = select(_e1179, _e1177, (_e1177 > _e1179));
+                                            let _e1235 = select(_e1191, _e1189, (_e1189 > _e1191));
+                                            let _e1237 = select(_e1192, _e1190, (_e1190 > _e1192));
+                                            let _e1239 = select(_e1235, _e1231, (_e1231 < _e1235));
+                                            let _e1241 = select(_e1237, _e1233, (_e1233 < _e1237));
+                                            let _e1246 = -(_e1207);
+                                            let _e1247 = -(_e1209);
+                                            let _e1254 = (select(_e1211, _e1239, (_e1239 < _e1211)) + (select(_e1246, _e1211, (_e1211 > _e1246)) * 0.0000019073523f));
+                                            let _e1255 = (select(_e1213, _e1241, (_e1241 < _e1213)) + (select(_e1247, _e1213, (_e1213 > _e1247)) * 0.0000019073523f));
+                                            let _e1257 = select(_e772, _e1227, (_e1227 > _e772));
+                                            let _e1259 = select(_e772, _e1229, (_e1229 > _e772));
+                                            let _e1264 = (_e1257 <= select(_e816.member, _e1254, (_e1254 < _e816.member)));
+                                            let _e1265 = (_e1259 <= select(_e816.member, _e1255, (_e1255 < _e816.member)));
+                                            let _e1266 = (_e1257 <= _e1259);
+                                            if _e1264 {
+                                                if _e1265 {
+                                                    if _e1266 {
+                                                        phi_4529_ = _e1164.member_2;
                                                     } else {
-                                                        phi_4173_ = _e940.member_1;
+                                                        phi_4529_ = _e1164.member_1;
                                                     }
-                                                    let _e1046 = phi_4173_;
-                                                    let _e1068 = (_e641 % 128u);
-                                                    let _e1069 = (_e1068 < 128u);
-                                                    if _e1069 {
+                                                    let _e1270 = phi_4529_;
+                                                    let _e1292 = (_e859 % 128u);
+                                                    let _e1293 = (_e1292 < 128u);
+                                                    if _e1293 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1068] = _e1046.member_1;
-                                                    if _e1069 {
+                                                    local_8[_e1292] = _e1270.member_1;
+                                                    if _e1293 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1068] = _e1046.member.member.x;
-                                                    if _e1069 {
+                                                    local_7[_e1292] = _e1270.member.member.x;
+                                                    if _e1293 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1068] = _e1046.member.member.y;
-                                                    if _e1069 {
+                                                    local_6[_e1292] = _e1270.member.member.y;
+                                                    if _e1293 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1068] = _e1046.member.member.z;
-                                                    if _e1069 {
+                                                    local_5[_e1292] = _e1270.member.member.z;
+                                                    if _e1293 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1068] = _e1046.member.member_1.x;
-                                                    if _e1069 {
+                                                    local_4[_e1292] = _e1270.member.member_1.x;
+                                                    if _e1293 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1068] = _e1046.member.member_1.y;
-                                                    if _e1069 {
+                                                    local_3[_e1292] = _e1270.member.member_1.y;
+                                                    if _e1293 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1068] = _e1046.member.member_1.z;
-                                                    if _e1069 {
+                                                    local_2[_e1292] = _e1270.member.member_1.z;
+                                                    if _e1293 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1068] = select(_e1035, _e1033, (_e1033 > _e1035));
-                                                    if _e1042 {
-                                                        phi_4250_ = _e940.member_1;
+                                                    local_9[_e1292] = select(_e1259, _e1257, (_e1257 > _e1259));
+                                                    if _e1266 {
+                                                        phi_4606_ = _e1164.member_1;
                                                     } else {
-                                                        phi_4250_ = _e940.member_2;
+                                                        phi_4606_ = _e1164.member_2;
                                                     }
-                                                    let _e1082 = phi_4250_;
-                                                    phi_4251_ = _e1082;
-                                                    phi_4252_ = (_e641 + 1u);
+                                                    let _e1306 = phi_4606_;
+                                                    phi_4607_ = _e1306;
+                                                    phi_4608_ = (_e859 + 1u);
                                                 } else {
-                                                    phi_4251_ = type_58();
-                                                    phi_4252_ = u32();
+                                                    phi_4607_ = type_58();
+                                                    phi_4608_ = u32();
                                                 }
-                                                let _e1084 = phi_4251_;
-                                                let _e1086 = phi_4252_;
-                                                phi_4254_ = _e1084;
-                                                phi_4255_ = _e1086;
-                                                phi_4256_ = select(true, false, _e1041);
+                                                let _e1308 = phi_4607_;
+                                                let _e1310 = phi_4608_;
+                                                phi_4610_ = _e1308;
+                                                phi_4611_ = _e1310;
+                                                phi_4612_ = select(true, false, _e1265);
                                             } else {
-                                                phi_4254_ = type_58();
-                                                phi_4255_ = u32();
-                                                phi_4256_ = true;
+                                                phi_4610_ = type_58();
+                                                phi_4611_ = u32();
+                                                phi_4612_ = true;
                                             }
-                                            let _e1089 = phi_4254_;
-                                            let _e1091 = phi_4255_;
-                                            let _e1093 = phi_4256_;
-                                            if _e1093 {
-                                                if _e1040 {
-                                                    phi_4265_ = _e940.member_1;
+                                            let _e1313 = phi_4610_;
+                                            let _e1315 = phi_4611_;
+                                            let _e1317 = phi_4612_;
+                                            if _e1317 {
+                                                if _e1264 {
+                                                    phi_4621_ = _e1164.member_1;
                                                 } else {
-                                                    phi_4265_ = _e940.member_2;
+                                                    phi_4621_ = _e1164.member_2;
                                                 }
-                                                let _e1097 = phi_4265_;
-                                                phi_4270_ = _e1097;
-                                                phi_4271_ = select(_e1041, true, _e1040);
+                                                let _e1321 = phi_4621_;
+                                                phi_4626_ = _e1321;
+                                                phi_4627_ = select(_e1265, true, _e1264);
                                             } else {
-                                                phi_4270_ = _e1089;
-                                                phi_4271_ = _e639;
+                                                phi_4626_ = _e1313;
+                                                phi_4627_ = _e857;
                                             }
-                                            let _e1100 = phi_4270_;
-                                            let _e1102 = phi_4271_;
-                                            phi_4748_ = _e596;
-                                            phi_4273_ = _e598;
-                                            phi_4274_ = _e1100;
-                                            phi_4275_ = _e1102;
-                                            phi_4276_ = select(_e1091, _e641, _e1093);
+                                            let _e1324 = phi_4626_;
+                                            let _e1326 = phi_4627_;
+                                            phi_5138_ = _e814;
+                                            phi_4629_ = _e816;
+                                            phi_4630_ = _e1324;
+                                            phi_4631_ = _e1326;
+                                            phi_4632_ = select(_e1315, _e859, _e1317);
                                         }
-                                        let _e2244 = phi_4748_;
-                                        let _e2246 = phi_4273_;
-                                        let _e2248 = phi_4274_;
-                                        let _e2250 = phi_4275_;
-                                        let _e2252 = phi_4276_;
-                                        phi_4747_ = _e2244;
-                                        phi_4277_ = _e2246;
-                                        phi_4278_ = _e2248;
-                                        phi_4279_ = (_e602 - 1u);
-                                        phi_4280_ = _e2250;
-                                        phi_4281_ = _e2252;
+                                        let _e2486 = phi_5138_;
+                                        let _e2488 = phi_4629_;
+                                        let _e2490 = phi_4630_;
+                                        let _e2492 = phi_4631_;
+                                        let _e2494 = phi_4632_;
+                                        phi_5137_ = _e2486;
+                                        phi_4633_ = _e2488;
+                                        phi_4634_ = _e2490;
+                                        phi_4635_ = (_e820 - 1u);
+                                        phi_4636_ = _e2492;
+                                        phi_4637_ = _e2494;
                                     } else {
-                                        phi_4747_ = _e596;
-                                        phi_4277_ = _e598;
-                                        phi_4278_ = _e637;
-                                        phi_4279_ = _e602;
-                                        phi_4280_ = _e639;
-                                        phi_4281_ = _e641;
+                                        phi_5137_ = _e814;
+                                        phi_4633_ = _e816;
+                                        phi_4634_ = _e855;
+                                        phi_4635_ = _e820;
+                                        phi_4636_ = _e857;
+                                        phi_4637_ = _e859;
                                     }
-                                    let _e2254 = phi_4747_;
-                                    let _e2256 = phi_4277_;
-                                    let _e2258 = phi_4278_;
-                                    let _e2260 = phi_4279_;
-                                    let _e2262 = phi_4280_;
-                                    let _e2264 = phi_4281_;
-                                    phi_4746_ = _e2254;
-                                    phi_4282_ = _e2256;
-                                    phi_4283_ = _e2258;
-                                    phi_4284_ = _e2260;
-                                    phi_4285_ = _e2262;
-                                    phi_4286_ = _e2264;
+                                    let _e2496 = phi_5137_;
+                                    let _e2498 = phi_4633_;
+                                    let _e2500 = phi_4634_;
+                                    let _e2502 = phi_4635_;
+                                    let _e2504 = phi_4636_;
+                                    let _e2506 = phi_4637_;
+                                    phi_5136_ = _e2496;
+                                    phi_4638_ = _e2498;
+                                    phi_4639_ = _e2500;
+                                    phi_4640_ = _e2502;
+                                    phi_4641_ = _e2504;
+                                    phi_4642_ = _e2506;
                                 } else {
-                                    phi_4746_ = _e596;
-                                    phi_4282_ = type_46();
-                                    phi_4283_ = type_58();
-                                    phi_4284_ = u32();
-                                    phi_4285_ = bool();
-                                    phi_4286_ = u32();
+                                    phi_5136_ = _e814;
+                                    phi_4638_ = type_46();
+                                    phi_4639_ = type_58();
+                                    phi_4640_ = u32();
+                                    phi_4641_ = bool();
+                                    phi_4642_ = u32();
                                 }
-                                let _e2266 = phi_4746_;
-                                let _e2268 = phi_4282_;
-                                let _e2270 = phi_4283_;
-                                let _e2272 = phi_4284_;
-                                let _e2274 = phi_4285_;
-                                let _e2276 = phi_4286_;
-                                phi_4745_ = _e2266;
-                                phi_1012_ = _e2268;
-                                phi_1015_ = _e2270;
-                                phi_1017_ = _e2272;
-                                phi_1019_ = _e2274;
-                                phi_1021_ = _e2276;
-                                phi_4287_ = _e610;
+                                let _e2508 = phi_5136_;
+                                let _e2510 = phi_4638_;
+                                let _e2512 = phi_4639_;
+                                let _e2514 = phi_4640_;
+                                let _e2516 = phi_4641_;
+                                let _e2518 = phi_4642_;
+                                phi_5135_ = _e2508;
+                                phi_1350_ = _e2510;
+                                phi_1353_ = _e2512;
+                                phi_1355_ = _e2514;
+                                phi_1357_ = _e2516;
+                                phi_1359_ = _e2518;
+                                phi_4643_ = _e828;
                             } else {
-                                phi_4745_ = _e596;
-                                phi_1012_ = type_46();
-                                phi_1015_ = type_58();
-                                phi_1017_ = u32();
-                                phi_1019_ = bool();
-                                phi_1021_ = u32();
-                                phi_4287_ = false;
+                                phi_5135_ = _e814;
+                                phi_1350_ = type_46();
+                                phi_1353_ = type_58();
+                                phi_1355_ = u32();
+                                phi_1357_ = bool();
+                                phi_1359_ = u32();
+                                phi_4643_ = false;
                             }
-                            let _e2278 = phi_4745_;
-                            let _e2280 = phi_1012_;
-                            let _e2282 = phi_1015_;
-                            let _e2284 = phi_1017_;
-                            let _e2286 = phi_1019_;
-                            let _e2288 = phi_1021_;
-                            let _e2290 = phi_4287_;
+                            let _e2520 = phi_5135_;
+                            let _e2522 = phi_1350_;
+                            let _e2524 = phi_1353_;
+                            let _e2526 = phi_1355_;
+                            let _e2528 = phi_1357_;
+                            let _e2530 = phi_1359_;
+                            let _e2532 = phi_4643_;
                             continue;
                             continuing {
-                                phi_4537_ = _e2278;
-                                phi_1011_ = _e2280;
-                                phi_1014_ = _e2282;
-                                phi_1016_ = _e2284;
-                                phi_1018_ = _e2286;
-                                phi_1020_ = _e2288;
-                                phi_4744_ = _e2278;
-                                break if !(_e2290);
+                                phi_4901_ = _e2520;
+                                phi_1349_ = _e2522;
+                                phi_1352_ = _e2524;
+                                phi_1354_ = _e2526;
+                                phi_1356_ = _e2528;
+                                phi_1358_ = _e2530;
+                                phi_5134_ = _e2520;
+                                break if !(_e2532);
                             }
                         }
-                        let _e2293 = phi_4744_;
-                        if _e2293 {
+                        let _e2535 = phi_5134_;
+                        if _e2535 {
                             break;
                         }
-                        let _e2295 = local_11;
-                        if _e2295.member_1 {
+                        let _e2537 = local_11;
+                        if _e2537.member_1 {
                         } else {
-                            if _e244 {
+                            if _e307 {
                             } else {
                                 break;
                             }
-                            let _e2299 = global_2.member[_e150];
-                            if _e165 {
+                            let _e2541 = global_2.member[_e153];
+                            if _e168 {
                             } else {
                                 break;
                             }
-                            let _e2303 = global_9.member[_e150].member_1;
-                            if _e244 {
+                            let _e2545 = global_9.member[_e153].member_1;
+                            if _e307 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e150] = type_27(_e2299.member, _e2299.member_1, _e2299.member_2, array<f32, 3>((_e2299.member_3[0] + (_e2303[0] * _e2299.member_1[0])), (_e2299.member_3[1] + (_e2303[1] * _e2299.member_1[1])), (_e2299.member_3[2] + (_e2303[2] * _e2299.member_1[2]))), _e2299.member_4);
+                            global_2.member[_e153] = type_27(_e2541.member, _e2541.member_1, _e2541.member_2, array<f32, 3>((_e2541.member_3[0] + (_e2545[0] * _e2541.member_1[0])), (_e2541.member_3[1] + (_e2545[1] * _e2541.member_1[1])), (_e2541.member_3[2] + (_e2545[2] * _e2541.member_1[2]))), _e2541.member_4);
                         }
                     }
                 }

@@ -124,496 +124,567 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_335_: u32;
-    var phi_379_: i32;
-    var phi_403_: type_36;
-    var phi_553_: i32;
-    var phi_554_: i32;
-    var phi_564_: bool;
-    var phi_574_: u32;
-    var phi_575_: u32;
-    var phi_577_: bool;
-    var phi_582_: u32;
-    var phi_614_: i32;
-    var phi_632_: f32;
-    var phi_638_: f32;
-    var phi_649_: f32;
-    var phi_655_: f32;
-    var phi_678_: f32;
-    var phi_689_: f32;
-    var phi_698_: f32;
-    var phi_704_: f32;
-    var phi_715_: f32;
-    var phi_721_: f32;
-    var phi_744_: f32;
-    var phi_755_: f32;
-    var phi_764_: f32;
-    var phi_770_: f32;
-    var phi_781_: f32;
-    var phi_787_: f32;
-    var phi_810_: f32;
-    var phi_821_: f32;
-    var phi_921_: f32;
-    var phi_922_: f32;
-    var phi_4537_: bool;
-    var phi_1011_: type_42;
-    var phi_1014_: type_58;
-    var phi_1016_: u32;
-    var phi_1018_: bool;
-    var phi_1020_: u32;
-    var phi_1031_: bool;
-    var phi_1117_: type_58;
-    var phi_1118_: bool;
-    var phi_1119_: u32;
-    var phi_3530_: u32;
-    var phi_3536_: u32;
-    var phi_3790_: u32;
-    var phi_3791_: u32;
-    var phi_3801_: u32;
-    var phi_3803_: u32;
-    var phi_3804_: bool;
-    var phi_3824_: u32;
-    var phi_3825_: u32;
-    var phi_3829_: type_59;
-    var phi_4173_: type_58;
-    var phi_4250_: type_58;
-    var phi_4251_: type_58;
-    var phi_4252_: u32;
-    var phi_4254_: type_58;
-    var phi_4255_: u32;
-    var phi_4256_: bool;
-    var phi_4265_: type_58;
-    var phi_4270_: type_58;
-    var phi_4271_: bool;
-    var phi_1138_: type_42;
-    var phi_1141_: type_8;
-    var phi_1142_: type_8;
-    var phi_1164_: type_8;
-    var phi_1205_: u32;
-    var phi_1211_: u32;
-    var phi_1221_: u32;
-    var phi_1237_: u32;
-    var phi_1270_: u32;
-    var phi_1276_: u32;
-    var phi_1703_: u32;
-    var phi_1721_: u32;
-    var phi_1739_: u32;
-    var phi_1759_: u32;
-    var phi_1777_: u32;
-    var phi_1795_: u32;
-    var phi_1815_: u32;
-    var phi_1833_: u32;
-    var phi_1851_: u32;
-    var phi_1429_: u32;
-    var phi_1444_: u32;
-    var phi_1454_: u32;
-    var phi_1474_: u32;
-    var phi_1494_: u32;
-    var phi_1520_: u32;
-    var phi_1535_: u32;
-    var phi_1545_: u32;
-    var phi_1565_: u32;
-    var phi_1585_: u32;
-    var phi_1611_: u32;
-    var phi_1626_: u32;
-    var phi_1636_: u32;
-    var phi_1656_: u32;
-    var phi_1676_: u32;
-    var phi_1300_: u32;
-    var phi_1343_: u32;
-    var phi_1386_: u32;
-    var phi_1857_: array<array<f32, 3>, 3>;
-    var phi_1974_: bool;
-    var phi_2003_: bool;
-    var phi_2404_: f32;
-    var phi_2405_: f32;
-    var phi_2406_: f32;
-    var phi_2407_: f32;
-    var phi_2408_: vec3<f32>;
-    var phi_2409_: vec3<f32>;
-    var phi_2410_: vec3<f32>;
-    var phi_2411_: vec3<f32>;
-    var phi_2442_: bool;
-    var phi_2451_: vec3<f32>;
-    var phi_2616_: f32;
-    var phi_2618_: f32;
-    var phi_2619_: bool;
-    var phi_2639_: f32;
-    var phi_2640_: f32;
-    var phi_2663_: type_21;
-    var phi_2665_: type_21;
-    var phi_2666_: bool;
-    var phi_2670_: type_21;
-    var phi_2671_: type_21;
-    var phi_2672_: type_21;
-    var phi_2673_: bool;
-    var phi_2677_: type_21;
-    var phi_2678_: bool;
-    var phi_2679_: type_21;
-    var phi_2680_: bool;
-    var phi_2681_: bool;
-    var phi_2682_: type_21;
-    var phi_2683_: bool;
-    var phi_2684_: bool;
-    var phi_2692_: type_21;
-    var phi_2693_: bool;
-    var phi_2697_: type_21;
-    var phi_2720_: u32;
-    var phi_2734_: i32;
-    var phi_2754_: vec3<f32>;
-    var phi_2755_: vec3<f32>;
-    var phi_2771_: vec3<f32>;
-    var phi_2772_: vec3<f32>;
-    var phi_2788_: vec3<f32>;
-    var phi_2789_: vec3<f32>;
-    var phi_2825_: vec3<f32>;
-    var phi_3007_: f32;
-    var phi_3025_: bool;
-    var phi_3026_: bool;
-    var phi_3031_: type_42;
-    var phi_3032_: type_42;
-    var phi_1139_: type_42;
-    var phi_4531_: bool;
+    var phi_337_: u32;
+    var phi_381_: i32;
+    var phi_521_: type_36;
+    var phi_671_: i32;
+    var phi_672_: i32;
+    var phi_682_: bool;
+    var phi_692_: u32;
+    var phi_693_: u32;
+    var phi_695_: bool;
+    var phi_700_: u32;
+    var phi_732_: i32;
+    var phi_750_: f32;
+    var phi_756_: f32;
+    var phi_796_: f32;
+    var phi_802_: f32;
+    var phi_854_: f32;
+    var phi_865_: f32;
+    var phi_874_: f32;
+    var phi_880_: f32;
+    var phi_920_: f32;
+    var phi_926_: f32;
+    var phi_978_: f32;
+    var phi_989_: f32;
+    var phi_998_: f32;
+    var phi_1004_: f32;
+    var phi_1044_: f32;
+    var phi_1050_: f32;
+    var phi_1102_: f32;
+    var phi_1113_: f32;
+    var phi_1168_: i32;
+    var phi_1190_: u32;
+    var phi_1191_: u32;
+    var phi_1228_: i32;
+    var phi_1250_: u32;
+    var phi_1251_: u32;
+    var phi_1259_: f32;
+    var phi_1260_: f32;
+    var phi_4901_: bool;
+    var phi_1349_: type_42;
+    var phi_1352_: type_58;
+    var phi_1354_: u32;
+    var phi_1356_: bool;
+    var phi_1358_: u32;
+    var phi_1369_: bool;
+    var phi_1455_: type_58;
+    var phi_1456_: bool;
+    var phi_1457_: u32;
+    var phi_3886_: u32;
+    var phi_3892_: u32;
+    var phi_4146_: u32;
+    var phi_4147_: u32;
+    var phi_4157_: u32;
+    var phi_4159_: u32;
+    var phi_4160_: bool;
+    var phi_4180_: u32;
+    var phi_4181_: u32;
+    var phi_4185_: type_59;
+    var phi_4529_: type_58;
+    var phi_4606_: type_58;
+    var phi_4607_: type_58;
+    var phi_4608_: u32;
+    var phi_4610_: type_58;
+    var phi_4611_: u32;
+    var phi_4612_: bool;
+    var phi_4621_: type_58;
+    var phi_4626_: type_58;
+    var phi_4627_: bool;
+    var phi_1476_: type_42;
+    var phi_1479_: type_8;
+    var phi_1480_: type_8;
+    var phi_1502_: type_8;
+    var phi_1543_: u32;
+    var phi_1549_: u32;
+    var phi_1559_: u32;
+    var phi_1575_: u32;
+    var phi_1608_: u32;
+    var phi_1614_: u32;
+    var phi_2059_: u32;
+    var phi_2077_: u32;
+    var phi_2095_: u32;
+    var phi_2115_: u32;
+    var phi_2133_: u32;
+    var phi_2151_: u32;
+    var phi_2171_: u32;
+    var phi_2189_: u32;
+    var phi_2207_: u32;
+    var phi_1776_: u32;
+    var phi_1791_: u32;
+    var phi_1801_: u32;
+    var phi_1822_: u32;
+    var phi_1843_: u32;
+    var phi_1870_: u32;
+    var phi_1885_: u32;
+    var phi_1895_: u32;
+    var phi_1916_: u32;
+    var phi_1937_: u32;
+    var phi_1964_: u32;
+    var phi_1979_: u32;
+    var phi_1989_: u32;
+    var phi_2010_: u32;
+    var phi_2031_: u32;
+    var phi_1638_: u32;
+    var phi_1684_: u32;
+    var phi_1730_: u32;
+    var phi_2213_: array<array<f32, 3>, 3>;
+    var phi_2330_: bool;
+    var phi_2359_: bool;
+    var phi_2760_: f32;
+    var phi_2761_: f32;
+    var phi_2762_: f32;
+    var phi_2763_: f32;
+    var phi_2764_: vec3<f32>;
+    var phi_2765_: vec3<f32>;
+    var phi_2766_: vec3<f32>;
+    var phi_2767_: vec3<f32>;
+    var phi_2798_: bool;
+    var phi_2807_: vec3<f32>;
+    var phi_2972_: f32;
+    var phi_2974_: f32;
+    var phi_2975_: bool;
+    var phi_2995_: f32;
+    var phi_2996_: f32;
+    var phi_3019_: type_21;
+    var phi_3021_: type_21;
+    var phi_3022_: bool;
+    var phi_3026_: type_21;
+    var phi_3027_: type_21;
+    var phi_3028_: type_21;
+    var phi_3029_: bool;
+    var phi_3033_: type_21;
+    var phi_3034_: bool;
+    var phi_3035_: type_21;
+    var phi_3036_: bool;
+    var phi_3037_: bool;
+    var phi_3038_: type_21;
+    var phi_3039_: bool;
+    var phi_3040_: bool;
+    var phi_3048_: type_21;
+    var phi_3049_: bool;
+    var phi_3053_: type_21;
+    var phi_3076_: u32;
+    var phi_3090_: i32;
+    var phi_3110_: vec3<f32>;
+    var phi_3111_: vec3<f32>;
+    var phi_3127_: vec3<f32>;
+    var phi_3128_: vec3<f32>;
+    var phi_3144_: vec3<f32>;
+    var phi_3145_: vec3<f32>;
+    var phi_3181_: vec3<f32>;
+    var phi_3363_: f32;
+    var phi_3381_: bool;
+    var phi_3382_: bool;
+    var phi_3387_: type_42;
+    var phi_3388_: type_42;
+    var phi_1477_: type_42;
+    var phi_4895_: bool;
     var local_10: type_42;
-    var phi_4748_: bool;
-    var phi_4273_: type_42;
-    var phi_4274_: type_58;
-    var phi_4275_: bool;
-    var phi_4276_: u32;
-    var phi_4747_: bool;
-    var phi_4277_: type_42;
-    var phi_4278_: type_58;
-    var phi_4279_: u32;
-    var phi_4280_: bool;
-    var phi_4281_: u32;
-    var phi_4746_: bool;
-    var phi_4282_: type_42;
-    var phi_4283_: type_58;
-    var phi_4284_: u32;
-    var phi_4285_: bool;
-    var phi_4286_: u32;
-    var phi_4745_: bool;
-    var phi_1012_: type_42;
-    var phi_1015_: type_58;
-    var phi_1017_: u32;
-    var phi_1019_: bool;
-    var phi_1021_: u32;
-    var phi_4287_: bool;
-    var phi_4744_: bool;
+    var phi_5138_: bool;
+    var phi_4629_: type_42;
+    var phi_4630_: type_58;
+    var phi_4631_: bool;
+    var phi_4632_: u32;
+    var phi_5137_: bool;
+    var phi_4633_: type_42;
+    var phi_4634_: type_58;
+    var phi_4635_: u32;
+    var phi_4636_: bool;
+    var phi_4637_: u32;
+    var phi_5136_: bool;
+    var phi_4638_: type_42;
+    var phi_4639_: type_58;
+    var phi_4640_: u32;
+    var phi_4641_: bool;
+    var phi_4642_: u32;
+    var phi_5135_: bool;
+    var phi_1350_: type_42;
+    var phi_1353_: type_58;
+    var phi_1355_: u32;
+    var phi_1357_: bool;
+    var phi_1359_: u32;
+    var phi_4643_: bool;
+    var phi_5134_: bool;
     var local_11: type_42;
     var local_12: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e98 = global;
-            let _e100 = arrayLength((&global_8.member));
-            let _e103 = arrayLength((&global_10.member));
-            let _e115 = arrayLength((&global_7.member));
-            let _e119 = global_4.member[0u][0u];
-            let _e123 = global_4.member[0u][1u];
-            let _e127 = global_4.member[0u][2u];
-            let _e131 = global_4.member[0u][3u];
-            let _e135 = global_4.member[1u][0u];
-            let _e139 = global_4.member[1u][1u];
-            let _e143 = global_4.member[1u][2u];
-            let _e147 = (_e98.x + (_e98.y * 2097152u));
-            let _e159 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e131) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
-            local = array<i32, 3>(bitcast<i32>(_e135), bitcast<i32>(_e139), bitcast<i32>(_e143));
-            let _e162 = (_e147 < arrayLength((&global_9.member)));
-            if _e162 {
-                if _e162 {
+            let _e101 = global;
+            let _e103 = arrayLength((&global_8.member));
+            let _e106 = arrayLength((&global_10.member));
+            let _e118 = arrayLength((&global_7.member));
+            let _e122 = global_4.member[0u][0u];
+            let _e126 = global_4.member[0u][1u];
+            let _e130 = global_4.member[0u][2u];
+            let _e134 = global_4.member[0u][3u];
+            let _e138 = global_4.member[1u][0u];
+            let _e142 = global_4.member[1u][1u];
+            let _e146 = global_4.member[1u][2u];
+            let _e150 = (_e101.x + (_e101.y * 2097152u));
+            let _e162 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e134) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e122), bitcast<i32>(_e126), bitcast<i32>(_e130));
+            local = array<i32, 3>(bitcast<i32>(_e138), bitcast<i32>(_e142), bitcast<i32>(_e146));
+            let _e165 = (_e150 < arrayLength((&global_9.member)));
+            if _e165 {
+                if _e165 {
                 } else {
                     break;
                 }
-                let _e166 = global_9.member[_e147].member_2;
-                phi_335_ = _e166;
+                let _e169 = global_9.member[_e150].member_2;
+                phi_337_ = _e169;
             } else {
-                phi_335_ = 4294967295u;
+                phi_337_ = 4294967295u;
             }
-            let _e168 = phi_335_;
-            let _e171 = global_1.member[0u];
-            let _e175 = global_3.member[0u][0u];
-            let _e179 = global_3.member[0u][1u];
-            let _e183 = global_3.member[0u][2u];
-            let _e187 = global_3.member[0u][3u];
-            let _e191 = global_3.member[1u][0u];
-            let _e195 = global_3.member[1u][1u];
-            let _e199 = global_3.member[1u][2u];
-            let _e203 = global_3.member[1u][3u];
-            let _e204 = bitcast<f32>(_e175);
-            let _e205 = bitcast<f32>(_e179);
-            let _e206 = bitcast<f32>(_e183);
-            let _e208 = bitcast<f32>(_e191);
-            let _e209 = array<u32, 3>(_e195, _e199, _e203);
-            let _e211 = bitcast<i32>(_e171);
-            if (_e211 < -126i) {
-                phi_379_ = -126i;
+            let _e171 = phi_337_;
+            let _e174 = global_1.member[0u];
+            let _e178 = global_3.member[0u][0u];
+            let _e182 = global_3.member[0u][1u];
+            let _e186 = global_3.member[0u][2u];
+            let _e190 = global_3.member[0u][3u];
+            let _e194 = global_3.member[1u][0u];
+            let _e198 = global_3.member[1u][1u];
+            let _e202 = global_3.member[1u][2u];
+            let _e206 = global_3.member[1u][3u];
+            let _e207 = bitcast<f32>(_e178);
+            let _e208 = bitcast<f32>(_e182);
+            let _e209 = bitcast<f32>(_e186);
+            let _e211 = bitcast<f32>(_e194);
+            let _e212 = array<u32, 3>(_e198, _e202, _e206);
+            let _e214 = bitcast<i32>(_e174);
+            if (_e214 < -126i) {
+                phi_381_ = -126i;
             } else {
-                phi_379_ = select(_e211, 127i, (_e211 > 127i));
+                phi_381_ = select(_e214, 127i, (_e214 > 127i));
             }
-            let _e216 = phi_379_;
-            let _e221 = bitcast<f32>((bitcast<u32>((_e216 + 127i)) << bitcast<u32>(23i)));
-            let _e227 = bitcast<f32>((bitcast<u32>(((_e211 - _e216) + 127i)) << bitcast<u32>(23i)));
-            if (_e187 == 0u) {
-                phi_403_ = type_36(array<f32, 3>(_e204, _e205, _e206), _e187, _e208, _e209);
+            let _e219 = phi_381_;
+            let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
+            let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
+            if (_e190 == 0u) {
+                phi_521_ = type_36(array<f32, 3>(_e207, _e208, _e209), _e190, _e211, _e212);
             } else {
-                phi_403_ = type_36(array<f32, 3>(((_e204 * _e221) * _e227), ((_e205 * _e221) * _e227), ((_e206 * _e221) * _e227)), _e187, ((_e208 * _e221) * _e227), _e209);
+                let _e232 = bitcast<u32>(_e207);
+                let _e234 = ((_e232 & 2139095040u) != 0u);
+                let _e249 = bitcast<u32>(_e208);
+                let _e251 = ((_e249 & 2139095040u) != 0u);
+                let _e266 = bitcast<u32>(_e209);
+                let _e268 = ((_e266 & 2139095040u) != 0u);
+                let _e284 = bitcast<u32>(_e211);
+                let _e286 = ((_e284 & 2139095040u) != 0u);
+                phi_521_ = type_36(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e232 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e232 & 2147483648u))), _e207, _e234) * _e224) * select(0.00000011920929f, 1f, _e234)) * _e230), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e249 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e249 & 2147483648u))), _e208, _e251) * _e224) * select(0.00000011920929f, 1f, _e251)) * _e230), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e266 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e266 & 2147483648u))), _e209, _e268) * _e224) * select(0.00000011920929f, 1f, _e268)) * _e230)), _e190, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e284 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e284 & 2147483648u))), _e211, _e286) * _e224) * select(0.00000011920929f, 1f, _e286)) * _e230), _e212);
             }
-            let _e240 = phi_403_;
-            if _e162 {
-                let _e241 = (_e147 < arrayLength((&global_2.member)));
-                if _e241 {
-                    if _e162 {
+            let _e303 = phi_521_;
+            if _e165 {
+                let _e304 = (_e150 < arrayLength((&global_2.member)));
+                if _e304 {
+                    if _e165 {
                     } else {
                         break;
                     }
-                    let _e246 = global_9.member[_e147].member.member_1;
-                    let _e251 = global_9.member[_e147].member.member_3;
-                    if (_e246 <= _e251) {
-                        let _e253 = (1u < _e115);
-                        if _e253 {
-                            if (0u < _e115) {
+                    let _e309 = global_9.member[_e150].member.member_1;
+                    let _e314 = global_9.member[_e150].member.member_3;
+                    if (_e309 <= _e314) {
+                        let _e316 = (1u < _e118);
+                        if _e316 {
+                            if (0u < _e118) {
                             } else {
                                 break;
                             }
-                            let _e257 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e257 + 1u) < _e257) {
-                                if _e253 {
+                            let _e320 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e320 + 1u) < _e320) {
+                                if _e316 {
                                 } else {
                                     break;
                                 }
-                                let _e262 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e325 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        if _e162 {
+                        if _e165 {
                         } else {
                             break;
                         }
-                        let _e272 = global_9.member[_e147].member.member_2[0u];
-                        let _e274 = (bitcast<u32>(_e272) & 2147483647u);
-                        let _e280 = global_9.member[_e147].member.member_2[1u];
-                        let _e282 = (bitcast<u32>(_e280) & 2147483647u);
-                        let _e288 = global_9.member[_e147].member.member_2[2u];
-                        let _e290 = (bitcast<u32>(_e288) & 2147483647u);
-                        let _e296 = global_9.member[_e147].member.member[0u];
-                        let _e298 = (bitcast<u32>(_e296) & 2147483647u);
-                        let _e304 = global_9.member[_e147].member.member[1u];
-                        let _e306 = (bitcast<u32>(_e304) & 2147483647u);
-                        let _e312 = global_9.member[_e147].member.member[2u];
-                        let _e314 = (bitcast<u32>(_e312) & 2147483647u);
-                        let _e316 = select(_e282, _e274, (_e282 < _e274));
-                        let _e318 = select(_e290, _e316, (_e290 < _e316));
-                        let _e320 = select(_e298, _e318, (_e298 < _e318));
-                        let _e322 = select(_e306, _e320, (_e306 < _e320));
-                        let _e324 = select(_e314, _e322, (_e314 < _e322));
-                        let _e326 = (bitcast<u32>(_e246) & 2147483647u);
-                        let _e335 = (((select(_e326, _e324, (_e326 < _e324)) < 2139095040u) && ((bitcast<u32>(_e251) & 2147483647u) <= 2139095040u)) && (_e318 > 0u));
-                        if _e335 {
-                            let _e338 = (bitcast<u32>(bitcast<f32>(_e318)) & 2147483647u);
-                            if (_e338 >= 8388608u) {
-                                phi_553_ = (bitcast<i32>((_e338 >> bitcast<u32>(23i))) - 127i);
+                        let _e335 = global_9.member[_e150].member.member_2[0u];
+                        let _e337 = (bitcast<u32>(_e335) & 2147483647u);
+                        let _e343 = global_9.member[_e150].member.member_2[1u];
+                        let _e345 = (bitcast<u32>(_e343) & 2147483647u);
+                        let _e351 = global_9.member[_e150].member.member_2[2u];
+                        let _e353 = (bitcast<u32>(_e351) & 2147483647u);
+                        let _e359 = global_9.member[_e150].member.member[0u];
+                        let _e361 = (bitcast<u32>(_e359) & 2147483647u);
+                        let _e367 = global_9.member[_e150].member.member[1u];
+                        let _e369 = (bitcast<u32>(_e367) & 2147483647u);
+                        let _e375 = global_9.member[_e150].member.member[2u];
+                        let _e377 = (bitcast<u32>(_e375) & 2147483647u);
+                        let _e379 = select(_e345, _e337, (_e345 < _e337));
+                        let _e381 = select(_e353, _e379, (_e353 < _e379));
+                        let _e383 = select(_e361, _e381, (_e361 < _e381));
+                        let _e385 = select(_e369, _e383, (_e369 < _e383));
+                        let _e387 = select(_e377, _e385, (_e377 < _e385));
+                        let _e388 = bitcast<u32>(_e309);
+                        let _e389 = (_e388 & 2147483647u);
+                        let _e393 = bitcast<u32>(_e314);
+                        let _e394 = (_e393 & 2147483647u);
+                        let _e398 = (((select(_e389, _e387, (_e389 < _e387)) < 2139095040u) && (_e394 <= 2139095040u)) && (_e381 > 0u));
+                        if _e398 {
+                            let _e401 = (bitcast<u32>(bitcast<f32>(_e381)) & 2147483647u);
+                            if (_e401 >= 8388608u) {
+                                phi_671_ = (bitcast<i32>((_e401 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_553_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u))));
+                                phi_671_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e401)), 32u, (_e401 == 0u))));
                             }
-                            let _e352 = phi_553_;
-                            phi_554_ = _e352;
+                            let _e415 = phi_671_;
+                            phi_672_ = _e415;
                         } else {
-                            phi_554_ = 0i;
+                            phi_672_ = 0i;
                         }
-                        let _e354 = phi_554_;
-                        let _e355 = (_e274 == _e318);
-                        if _e355 {
-                            phi_564_ = true;
+                        let _e417 = phi_672_;
+                        let _e418 = (_e337 == _e381);
+                        if _e418 {
+                            phi_682_ = true;
                         } else {
-                            phi_564_ = (_e282 == _e318);
+                            phi_682_ = (_e345 == _e381);
                         }
-                        let _e358 = phi_564_;
-                        let _e359 = select(1u, 0u, _e355);
-                        if _e358 {
-                            let _e360 = (_e359 + 1u);
-                            phi_574_ = _e360;
-                            phi_575_ = _e360;
-                            phi_577_ = select(true, false, (_e360 == 2u));
+                        let _e421 = phi_682_;
+                        let _e422 = select(1u, 0u, _e418);
+                        if _e421 {
+                            let _e423 = (_e422 + 1u);
+                            phi_692_ = _e423;
+                            phi_693_ = _e423;
+                            phi_695_ = select(true, false, (_e423 == 2u));
                         } else {
-                            phi_574_ = u32();
-                            phi_575_ = 0u;
-                            phi_577_ = true;
+                            phi_692_ = u32();
+                            phi_693_ = 0u;
+                            phi_695_ = true;
                         }
-                        let _e364 = phi_574_;
-                        let _e366 = phi_575_;
-                        let _e368 = phi_577_;
-                        if _e368 {
-                            phi_582_ = (_e366 + 1u);
+                        let _e427 = phi_692_;
+                        let _e429 = phi_693_;
+                        let _e431 = phi_695_;
+                        if _e431 {
+                            phi_700_ = (_e429 + 1u);
                         } else {
-                            phi_582_ = 0u;
+                            phi_700_ = 0u;
                         }
-                        let _e372 = phi_582_;
-                        let _e373 = select(_e364, _e366, _e368);
-                        let _e374 = select(_e359, select(2u, _e359, _e358), _e368);
-                        let _e375 = -(_e354);
-                        if (_e375 < -126i) {
-                            phi_614_ = -126i;
+                        let _e435 = phi_700_;
+                        let _e436 = select(_e427, _e429, _e431);
+                        let _e437 = select(_e422, select(2u, _e422, _e421), _e431);
+                        let _e438 = -(_e417);
+                        if (_e438 < -126i) {
+                            phi_732_ = -126i;
                         } else {
-                            phi_614_ = select(_e375, 127i, (_e375 > 127i));
+                            phi_732_ = select(_e438, 127i, (_e438 > 127i));
                         }
-                        let _e380 = phi_614_;
-                        let _e385 = bitcast<f32>((bitcast<u32>((_e380 + 127i)) << bitcast<u32>(23i)));
-                        let _e391 = bitcast<f32>((bitcast<u32>(((_e375 - _e380) + 127i)) << bitcast<u32>(23i)));
-                        let _e396 = global_9.member[_e147].member.member;
-                        let _e397 = (_e373 == 0u);
-                        if _e397 {
-                            phi_632_ = _e396[0];
+                        let _e443 = phi_732_;
+                        let _e448 = bitcast<f32>((bitcast<u32>((_e443 + 127i)) << bitcast<u32>(23i)));
+                        let _e454 = bitcast<f32>((bitcast<u32>(((_e438 - _e443) + 127i)) << bitcast<u32>(23i)));
+                        let _e459 = global_9.member[_e150].member.member;
+                        let _e460 = (_e436 == 0u);
+                        if _e460 {
+                            phi_750_ = _e459[0];
                         } else {
-                            phi_632_ = _e396[1];
+                            phi_750_ = _e459[1];
                         }
-                        let _e401 = phi_632_;
-                        let _e402 = (_e373 == 2u);
-                        if _e402 {
-                            phi_638_ = _e396[2];
+                        let _e464 = phi_750_;
+                        let _e465 = (_e436 == 2u);
+                        if _e465 {
+                            phi_756_ = _e459[2];
                         } else {
-                            phi_638_ = _e401;
+                            phi_756_ = _e464;
                         }
-                        let _e405 = phi_638_;
-                        let _e406 = global_9.member[_e147].member.member_2;
-                        if _e397 {
-                            phi_649_ = _e406[0];
+                        let _e468 = phi_756_;
+                        let _e469 = bitcast<u32>(_e468);
+                        let _e471 = ((_e469 & 2139095040u) != 0u);
+                        let _e483 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e469 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e469 & 2147483648u))), _e468, _e471) * select(0.00000011920929f, 1f, _e471));
+                        let _e484 = global_9.member[_e150].member.member_2;
+                        if _e460 {
+                            phi_796_ = _e484[0];
                         } else {
-                            phi_649_ = _e406[1];
+                            phi_796_ = _e484[1];
                         }
-                        let _e410 = phi_649_;
-                        if _e402 {
-                            phi_655_ = _e406[2];
+                        let _e488 = phi_796_;
+                        if _e465 {
+                            phi_802_ = _e484[2];
                         } else {
-                            phi_655_ = _e410;
+                            phi_802_ = _e488;
                         }
-                        let _e413 = phi_655_;
-                        let _e415 = ((_e413 * _e385) * _e391);
-                        let _e419 = (bitcast<f32>((bitcast<u32>(_e415) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e419 {
-                            let _e423 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) * 0.00000011920929f);
-                            phi_678_ = select(0.00000000000011368684f, _e423, (_e423 > 0.00000000000011368684f));
+                        let _e491 = phi_802_;
+                        let _e492 = bitcast<u32>(_e491);
+                        let _e494 = ((_e492 & 2139095040u) != 0u);
+                        let _e508 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e492 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e492 & 2147483648u))), _e491, _e494) * _e448) * select(0.00000011920929f, 1f, _e494)) * _e454);
+                        let _e512 = (bitcast<f32>((bitcast<u32>(_e508) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e512 {
+                            let _e516 = (bitcast<f32>((bitcast<u32>(_e483) & 2147483647u)) * 0.00000011920929f);
+                            phi_854_ = select(0.00000000000011368684f, _e516, (_e516 > 0.00000000000011368684f));
                         } else {
-                            phi_678_ = 0f;
+                            phi_854_ = 0f;
                         }
-                        let _e427 = phi_678_;
-                        let _e428 = (_e405 + _e427);
-                        let _e429 = (_e405 - _e427);
-                        let _e430 = select(_e415, 0f, _e419);
-                        if _e419 {
-                            phi_689_ = 38685626000000000000000000f;
+                        let _e520 = phi_854_;
+                        let _e521 = (_e483 + _e520);
+                        let _e522 = (_e483 - _e520);
+                        let _e523 = select(_e508, 0f, _e512);
+                        if _e512 {
+                            phi_865_ = 38685626000000000000000000f;
                         } else {
-                            phi_689_ = (1f / _e415);
+                            phi_865_ = (1f / _e508);
                         }
-                        let _e433 = phi_689_;
-                        let _e434 = (_e372 == 0u);
-                        if _e434 {
-                            phi_698_ = _e396[0];
+                        let _e526 = phi_865_;
+                        let _e527 = (_e435 == 0u);
+                        if _e527 {
+                            phi_874_ = _e459[0];
                         } else {
-                            phi_698_ = _e396[1];
+                            phi_874_ = _e459[1];
                         }
-                        let _e438 = phi_698_;
-                        let _e439 = (_e372 == 2u);
-                        if _e439 {
-                            phi_704_ = _e396[2];
+                        let _e531 = phi_874_;
+                        let _e532 = (_e435 == 2u);
+                        if _e532 {
+                            phi_880_ = _e459[2];
                         } else {
-                            phi_704_ = _e438;
+                            phi_880_ = _e531;
                         }
-                        let _e442 = phi_704_;
-                        if _e434 {
-                            phi_715_ = _e406[0];
+                        let _e535 = phi_880_;
+                        let _e536 = bitcast<u32>(_e535);
+                        let _e538 = ((_e536 & 2139095040u) != 0u);
+                        let _e550 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e536 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e536 & 2147483648u))), _e535, _e538) * select(0.00000011920929f, 1f, _e538));
+                        if _e527 {
+                            phi_920_ = _e484[0];
                         } else {
-                            phi_715_ = _e406[1];
+                            phi_920_ = _e484[1];
                         }
-                        let _e446 = phi_715_;
-                        if _e439 {
-                            phi_721_ = _e406[2];
+                        let _e554 = phi_920_;
+                        if _e532 {
+                            phi_926_ = _e484[2];
                         } else {
-                            phi_721_ = _e446;
+                            phi_926_ = _e554;
                         }
-                        let _e449 = phi_721_;
-                        let _e451 = ((_e449 * _e385) * _e391);
-                        let _e455 = (bitcast<f32>((bitcast<u32>(_e451) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e455 {
-                            let _e459 = (bitcast<f32>((bitcast<u32>(_e442) & 2147483647u)) * 0.00000011920929f);
-                            phi_744_ = select(0.00000000000011368684f, _e459, (_e459 > 0.00000000000011368684f));
+                        let _e557 = phi_926_;
+                        let _e558 = bitcast<u32>(_e557);
+                        let _e560 = ((_e558 & 2139095040u) != 0u);
+                        let _e574 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e558 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e558 & 2147483648u))), _e557, _e560) * _e448) * select(0.00000011920929f, 1f, _e560)) * _e454);
+                        let _e578 = (bitcast<f32>((bitcast<u32>(_e574) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e578 {
+                            let _e582 = (bitcast<f32>((bitcast<u32>(_e550) & 2147483647u)) * 0.00000011920929f);
+                            phi_978_ = select(0.00000000000011368684f, _e582, (_e582 > 0.00000000000011368684f));
                         } else {
-                            phi_744_ = 0f;
+                            phi_978_ = 0f;
                         }
-                        let _e463 = phi_744_;
-                        let _e464 = (_e442 + _e463);
-                        let _e465 = (_e442 - _e463);
-                        let _e466 = select(_e451, 0f, _e455);
-                        if _e455 {
-                            phi_755_ = 38685626000000000000000000f;
+                        let _e586 = phi_978_;
+                        let _e587 = (_e550 + _e586);
+                        let _e588 = (_e550 - _e586);
+                        let _e589 = select(_e574, 0f, _e578);
+                        if _e578 {
+                            phi_989_ = 38685626000000000000000000f;
                         } else {
-                            phi_755_ = (1f / _e451);
+                            phi_989_ = (1f / _e574);
                         }
-                        let _e469 = phi_755_;
-                        let _e470 = (_e374 == 0u);
-                        if _e470 {
-                            phi_764_ = _e396[0];
+                        let _e592 = phi_989_;
+                        let _e593 = (_e437 == 0u);
+                        if _e593 {
+                            phi_998_ = _e459[0];
                         } else {
-                            phi_764_ = _e396[1];
+                            phi_998_ = _e459[1];
                         }
-                        let _e474 = phi_764_;
-                        let _e475 = (_e374 == 2u);
-                        if _e475 {
-                            phi_770_ = _e396[2];
+                        let _e597 = phi_998_;
+                        let _e598 = (_e437 == 2u);
+                        if _e598 {
+                            phi_1004_ = _e459[2];
                         } else {
-                            phi_770_ = _e474;
+                            phi_1004_ = _e597;
                         }
-                        let _e478 = phi_770_;
-                        if _e470 {
-                            phi_781_ = _e406[0];
+                        let _e601 = phi_1004_;
+                        let _e602 = bitcast<u32>(_e601);
+                        let _e604 = ((_e602 & 2139095040u) != 0u);
+                        let _e616 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e602 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e602 & 2147483648u))), _e601, _e604) * select(0.00000011920929f, 1f, _e604));
+                        if _e593 {
+                            phi_1044_ = _e484[0];
                         } else {
-                            phi_781_ = _e406[1];
+                            phi_1044_ = _e484[1];
                         }
-                        let _e482 = phi_781_;
-                        if _e475 {
-                            phi_787_ = _e406[2];
+                        let _e620 = phi_1044_;
+                        if _e598 {
+                            phi_1050_ = _e484[2];
                         } else {
-                            phi_787_ = _e482;
+                            phi_1050_ = _e620;
                         }
-                        let _e485 = phi_787_;
-                        let _e487 = ((_e485 * _e385) * _e391);
-                        let _e491 = (bitcast<f32>((bitcast<u32>(_e487) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e491 {
-                            let _e495 = (bitcast<f32>((bitcast<u32>(_e478) & 2147483647u)) * 0.00000011920929f);
-                            phi_810_ = select(0.00000000000011368684f, _e495, (_e495 > 0.00000000000011368684f));
+                        let _e623 = phi_1050_;
+                        let _e624 = bitcast<u32>(_e623);
+                        let _e626 = ((_e624 & 2139095040u) != 0u);
+                        let _e640 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e624 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e624 & 2147483648u))), _e623, _e626) * _e448) * select(0.00000011920929f, 1f, _e626)) * _e454);
+                        let _e644 = (bitcast<f32>((bitcast<u32>(_e640) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e644 {
+                            let _e648 = (bitcast<f32>((bitcast<u32>(_e616) & 2147483647u)) * 0.00000011920929f);
+                            phi_1102_ = select(0.00000000000011368684f, _e648, (_e648 > 0.00000000000011368684f));
                         } else {
-                            phi_810_ = 0f;
+                            phi_1102_ = 0f;
                         }
-                        let _e499 = phi_810_;
-                        let _e500 = (_e478 + _e499);
-                        let _e501 = (_e478 - _e499);
-                        let _e502 = select(_e487, 0f, _e491);
-                        if _e491 {
-                            phi_821_ = 38685626000000000000000000f;
+                        let _e652 = phi_1102_;
+                        let _e653 = (_e616 + _e652);
+                        let _e654 = (_e616 - _e652);
+                        let _e655 = select(_e640, 0f, _e644);
+                        if _e644 {
+                            phi_1113_ = 38685626000000000000000000f;
                         } else {
-                            phi_821_ = (1f / _e487);
+                            phi_1113_ = (1f / _e640);
                         }
-                        let _e505 = phi_821_;
-                        let _e508 = bitcast<f32>((bitcast<u32>(_e405) & 2147483647u));
-                        let _e511 = bitcast<f32>((bitcast<u32>(_e442) & 2147483647u));
-                        let _e513 = select(_e511, _e508, (_e508 > _e511));
-                        let _e516 = bitcast<f32>((bitcast<u32>(_e478) & 2147483647u));
-                        if (_e335 && (select(_e516, _e513, (_e513 > _e516)) <= 1099511600000f)) {
-                            let _e521 = (_e354 / 3i);
-                            let _e528 = bitcast<f32>((bitcast<u32>((_e521 + 127i)) << bitcast<u32>(23i)));
-                            let _e535 = bitcast<f32>((bitcast<u32>(((_e354 - (2i * _e521)) + 127i)) << bitcast<u32>(23i)));
-                            let _e536 = (((_e246 * _e528) * _e528) * _e535);
-                            let _e538 = select(340282350000000000000000000000000000000f, _e536, (_e536 < 340282350000000000000000000000000000000f));
-                            let _e543 = (((_e251 * _e528) * _e528) * _e535);
-                            let _e545 = select(340282350000000000000000000000000000000f, _e543, (_e543 < 340282350000000000000000000000000000000f));
-                            phi_921_ = select(-340282350000000000000000000000000000000f, _e545, (_e545 > -340282350000000000000000000000000000000f));
-                            phi_922_ = select(-340282350000000000000000000000000000000f, _e538, (_e538 > -340282350000000000000000000000000000000f));
+                        let _e658 = phi_1113_;
+                        let _e661 = bitcast<f32>((bitcast<u32>(_e483) & 2147483647u));
+                        let _e664 = bitcast<f32>((bitcast<u32>(_e550) & 2147483647u));
+                        let _e666 = select(_e664, _e661, (_e661 > _e664));
+                        let _e669 = bitcast<f32>((bitcast<u32>(_e616) & 2147483647u));
+                        if (_e398 && (select(_e669, _e666, (_e666 > _e669)) <= 1099511600000f)) {
+                            let _e681 = ((_e389 & 8388607u) | (select(0u, 1u, ((_e389 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e684 = bitcast<i32>((_e389 >> bitcast<u32>(23i)));
+                            let _e688 = (_e681 == 0u);
+                            let _e691 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e681)), 32u, _e688)) - 8i);
+                            if (_e684 == 255i) {
+                                phi_1168_ = 255i;
+                            } else {
+                                phi_1168_ = (((_e684 + select(0i, 1i, (_e684 == 0i))) - _e691) + _e417);
+                            }
+                            let _e699 = phi_1168_;
+                            let _e709 = (_e699 <= 0i);
+                            if _e709 {
+                                phi_1191_ = u32();
+                            } else {
+                                if _e688 {
+                                    phi_1190_ = u32();
+                                } else {
+                                    phi_1190_ = select(((bitcast<u32>(_e699) << bitcast<u32>(23i)) | ((_e681 << bitcast<u32>(((_e691 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e699 >= 255i));
+                                }
+                                let _e713 = phi_1190_;
+                                phi_1191_ = _e713;
+                            }
+                            let _e715 = phi_1191_;
+                            let _e727 = ((_e394 & 8388607u) | (select(0u, 1u, ((_e394 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e730 = bitcast<i32>((_e394 >> bitcast<u32>(23i)));
+                            let _e734 = (_e727 == 0u);
+                            let _e737 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e727)), 32u, _e734)) - 8i);
+                            if (_e730 == 255i) {
+                                phi_1228_ = 255i;
+                            } else {
+                                phi_1228_ = (((_e730 + select(0i, 1i, (_e730 == 0i))) - _e737) + _e417);
+                            }
+                            let _e745 = phi_1228_;
+                            let _e755 = (_e745 <= 0i);
+                            if _e755 {
+                                phi_1251_ = u32();
+                            } else {
+                                if _e734 {
+                                    phi_1250_ = u32();
+                                } else {
+                                    phi_1250_ = select(((bitcast<u32>(_e745) << bitcast<u32>(23i)) | ((_e727 << bitcast<u32>(((_e737 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e745 >= 255i));
+                                }
+                                let _e759 = phi_1250_;
+                                phi_1251_ = _e759;
+                            }
+                            let _e761 = phi_1251_;
+                            phi_1259_ = bitcast<f32>(((_e393 & 2147483648u) | select(_e761, 0u, select(_e734, true, _e755))));
+                            phi_1260_ = bitcast<f32>(((_e388 & 2147483648u) | select(_e715, 0u, select(_e688, true, _e709))));
                         } else {
-                            phi_921_ = 0f;
-                            phi_922_ = 1f;
+                            phi_1259_ = 0f;
+                            phi_1260_ = 1f;
                         }
-                        let _e549 = phi_921_;
-                        let _e551 = phi_922_;
+                        let _e767 = phi_1259_;
+                        let _e769 = phi_1260_;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -622,1424 +693,1424 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e555 = (_e373 % 3u);
-                        let _e556 = (_e555 < 3u);
-                        if _e556 {
+                        let _e773 = (_e436 % 3u);
+                        let _e774 = (_e773 < 3u);
+                        if _e774 {
                         } else {
                             break;
                         }
-                        let _e558 = local_1[_e555];
-                        let _e561 = (_e372 % 3u);
-                        let _e562 = (_e561 < 3u);
-                        if _e562 {
+                        let _e776 = local_1[_e773];
+                        let _e779 = (_e435 % 3u);
+                        let _e780 = (_e779 < 3u);
+                        if _e780 {
                         } else {
                             break;
                         }
-                        let _e564 = local_1[_e561];
-                        let _e567 = (_e374 % 3u);
-                        let _e568 = (_e567 < 3u);
-                        if _e568 {
+                        let _e782 = local_1[_e779];
+                        let _e785 = (_e437 % 3u);
+                        let _e786 = (_e785 < 3u);
+                        if _e786 {
                         } else {
                             break;
                         }
-                        let _e570 = local_1[_e567];
-                        if _e556 {
+                        let _e788 = local_1[_e785];
+                        if _e774 {
                         } else {
                             break;
                         }
-                        let _e575 = local[_e555];
-                        if _e562 {
+                        let _e793 = local[_e773];
+                        if _e780 {
                         } else {
                             break;
                         }
-                        let _e579 = local[_e561];
-                        if _e568 {
+                        let _e797 = local[_e779];
+                        if _e786 {
                         } else {
                             break;
                         }
-                        let _e583 = local[_e567];
-                        phi_4537_ = false;
-                        phi_1011_ = type_42(_e549, false);
-                        phi_1014_ = type_58(type_30(vec4<f32>((f32(_e558) * _e159), (f32(_e564) * _e159), (f32(_e570) * _e159), 0f), vec4<f32>((f32(_e575) * _e159), (f32(_e579) * _e159), (f32(_e583) * _e159), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
-                        phi_1016_ = ((3u * _e100) + 1u);
-                        phi_1018_ = (_e551 <= _e549);
-                        phi_1020_ = 0u;
+                        let _e801 = local[_e785];
+                        phi_4901_ = false;
+                        phi_1349_ = type_42(_e767, false);
+                        phi_1352_ = type_58(type_30(vec4<f32>((f32(_e776) * _e162), (f32(_e782) * _e162), (f32(_e788) * _e162), 0f), vec4<f32>((f32(_e793) * _e162), (f32(_e797) * _e162), (f32(_e801) * _e162), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
+                        phi_1354_ = ((3u * _e103) + 1u);
+                        phi_1356_ = (_e769 <= _e767);
+                        phi_1358_ = 0u;
                         loop {
-                            let _e593 = phi_4537_;
-                            let _e595 = phi_1011_;
-                            let _e597 = phi_1014_;
-                            let _e599 = phi_1016_;
-                            let _e601 = phi_1018_;
-                            let _e603 = phi_1020_;
-                            local_11 = _e595;
-                            if _e601 {
-                                phi_1031_ = true;
+                            let _e811 = phi_4901_;
+                            let _e813 = phi_1349_;
+                            let _e815 = phi_1352_;
+                            let _e817 = phi_1354_;
+                            let _e819 = phi_1356_;
+                            let _e821 = phi_1358_;
+                            local_11 = _e813;
+                            if _e819 {
+                                phi_1369_ = true;
                             } else {
-                                phi_1031_ = (_e603 > 0u);
+                                phi_1369_ = (_e821 > 0u);
                             }
-                            let _e606 = phi_1031_;
-                            if _e606 {
-                                let _e607 = (_e599 > 0u);
-                                if _e607 {
-                                    if _e601 {
-                                        phi_1117_ = _e597;
-                                        phi_1118_ = _e601;
-                                        phi_1119_ = _e603;
+                            let _e824 = phi_1369_;
+                            if _e824 {
+                                let _e825 = (_e817 > 0u);
+                                if _e825 {
+                                    if _e819 {
+                                        phi_1455_ = _e815;
+                                        phi_1456_ = _e819;
+                                        phi_1457_ = _e821;
                                     } else {
-                                        let _e608 = (_e603 - 1u);
-                                        let _e609 = (_e608 % 128u);
-                                        let _e610 = (_e609 < 128u);
-                                        if _e610 {
+                                        let _e826 = (_e821 - 1u);
+                                        let _e827 = (_e826 % 128u);
+                                        let _e828 = (_e827 < 128u);
+                                        if _e828 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e612 = local_7[_e609];
-                                        if _e610 {
+                                        let _e830 = local_7[_e827];
+                                        if _e828 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e614 = local_6[_e609];
-                                        if _e610 {
+                                        let _e832 = local_6[_e827];
+                                        if _e828 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e616 = local_5[_e609];
-                                        if _e610 {
+                                        let _e834 = local_5[_e827];
+                                        if _e828 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e618 = local_4[_e609];
-                                        if _e610 {
+                                        let _e836 = local_4[_e827];
+                                        if _e828 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e620 = local_3[_e609];
-                                        if _e610 {
+                                        let _e838 = local_3[_e827];
+                                        if _e828 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e622 = local_2[_e609];
-                                        if _e610 {
+                                        let _e840 = local_2[_e827];
+                                        if _e828 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e627 = local_8[_e609];
-                                        if _e610 {
+                                        let _e845 = local_8[_e827];
+                                        if _e828 {
                                         } else {
-                                            phi_4744_ = true;
+                                            phi_5134_ = true;
                                             break;
                                         }
-                                        let _e630 = local_9[_e609];
-                                        phi_1117_ = type_58(type_30(vec4<f32>(_e612, _e614, _e616, 0f), vec4<f32>(_e618, _e620, _e622, 0f)), _e627);
-                                        phi_1118_ = (_e630 <= _e595.member);
-                                        phi_1119_ = _e608;
+                                        let _e848 = local_9[_e827];
+                                        phi_1455_ = type_58(type_30(vec4<f32>(_e830, _e832, _e834, 0f), vec4<f32>(_e836, _e838, _e840, 0f)), _e845);
+                                        phi_1456_ = (_e848 <= _e813.member);
+                                        phi_1457_ = _e826;
                                     }
-                                    let _e634 = phi_1117_;
-                                    let _e636 = phi_1118_;
-                                    let _e638 = phi_1119_;
-                                    if _e636 {
-                                        let _e643 = (_e634.member_1 & 268435455u);
-                                        if ((_e634.member_1 & 2147483648u) != 0u) {
-                                            phi_1138_ = _e595;
-                                            phi_1141_ = type_8(0u, ((_e634.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e852 = phi_1455_;
+                                    let _e854 = phi_1456_;
+                                    let _e856 = phi_1457_;
+                                    if _e854 {
+                                        let _e861 = (_e852.member_1 & 268435455u);
+                                        if ((_e852.member_1 & 2147483648u) != 0u) {
+                                            phi_1476_ = _e813;
+                                            phi_1479_ = type_8(0u, ((_e852.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1121 = phi_1138_;
-                                                let _e1123 = phi_1141_;
-                                                local_10 = _e1121;
-                                                local_12 = _e1121;
-                                                if (_e1123.member < _e1123.member_1) {
-                                                    phi_1142_ = type_8((_e1123.member + 1u), _e1123.member_1);
-                                                    phi_1164_ = type_8(1u, _e1123.member);
+                                                let _e1345 = phi_1476_;
+                                                let _e1347 = phi_1479_;
+                                                local_10 = _e1345;
+                                                local_12 = _e1345;
+                                                if (_e1347.member < _e1347.member_1) {
+                                                    phi_1480_ = type_8((_e1347.member + 1u), _e1347.member_1);
+                                                    phi_1502_ = type_8(1u, _e1347.member);
                                                 } else {
-                                                    phi_1142_ = _e1123;
-                                                    phi_1164_ = type_8(0u, type_8().member_1);
+                                                    phi_1480_ = _e1347;
+                                                    phi_1502_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1136 = phi_1142_;
-                                                let _e1138 = phi_1164_;
-                                                let _e1142 = (bitcast<i32>(_e1138.member) != 0i);
-                                                if _e1142 {
-                                                    let _e1147 = (_e634.member.member_1.x - _e634.member.member.x);
-                                                    let _e1150 = (_e634.member.member_1.y - _e634.member.member.y);
-                                                    let _e1153 = (_e634.member.member_1.z - _e634.member.member.z);
-                                                    let _e1155 = select(_e1150, _e1147, (_e1147 > _e1150));
-                                                    let _e1157 = select(_e1153, _e1155, (_e1155 > _e1153));
-                                                    let _e1159 = (_e1157 < (1024f * _e159));
-                                                    if _e1159 {
-                                                        phi_1205_ = 0u;
+                                                let _e1360 = phi_1480_;
+                                                let _e1362 = phi_1502_;
+                                                let _e1366 = (bitcast<i32>(_e1362.member) != 0i);
+                                                if _e1366 {
+                                                    let _e1371 = (_e852.member.member_1.x - _e852.member.member.x);
+                                                    let _e1374 = (_e852.member.member_1.y - _e852.member.member.y);
+                                                    let _e1377 = (_e852.member.member_1.z - _e852.member.member.z);
+                                                    let _e1379 = select(_e1374, _e1371, (_e1371 > _e1374));
+                                                    let _e1381 = select(_e1377, _e1379, (_e1379 > _e1377));
+                                                    let _e1383 = (_e1381 < (1024f * _e162));
+                                                    if _e1383 {
+                                                        phi_1543_ = 0u;
                                                     } else {
-                                                        phi_1205_ = select(2u, 1u, (_e1157 < (2097152f * _e159)));
+                                                        phi_1543_ = select(2u, 1u, (_e1381 < (2097152f * _e162)));
                                                     }
-                                                    let _e1164 = phi_1205_;
-                                                    switch bitcast<i32>(_e1164) {
+                                                    let _e1388 = phi_1543_;
+                                                    switch bitcast<i32>(_e1388) {
                                                         case 0: {
-                                                            phi_1211_ = 1u;
+                                                            phi_1549_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1211_ = 2u;
+                                                            phi_1549_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1211_ = 3u;
+                                                            phi_1549_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1211_ = u32();
+                                                            phi_1549_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1167 = phi_1211_;
-                                                    switch bitcast<i32>(_e1164) {
+                                                    let _e1391 = phi_1549_;
+                                                    switch bitcast<i32>(_e1388) {
                                                         case 0: {
-                                                            phi_1221_ = 1u;
+                                                            phi_1559_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1221_ = 2u;
+                                                            phi_1559_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1221_ = 3u;
+                                                            phi_1559_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1221_ = u32();
+                                                            phi_1559_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1174 = phi_1221_;
-                                                    let _e1176 = ((_e643 + (_e1138.member_1 * ((3u * _e1167) + 1u))) + (3u * _e1174));
-                                                    let _e1177 = (_e1176 < _e103);
-                                                    if _e1177 {
-                                                        if _e1177 {
+                                                    let _e1398 = phi_1559_;
+                                                    let _e1400 = ((_e861 + (_e1362.member_1 * ((3u * _e1391) + 1u))) + (3u * _e1398));
+                                                    let _e1401 = (_e1400 < _e106);
+                                                    if _e1401 {
+                                                        if _e1401 {
                                                         } else {
-                                                            phi_4531_ = true;
+                                                            phi_4895_ = true;
                                                             break;
                                                         }
-                                                        let _e1179 = global_10.member[_e1176];
-                                                        phi_1237_ = _e1179;
+                                                        let _e1403 = global_10.member[_e1400];
+                                                        phi_1575_ = _e1403;
                                                     } else {
-                                                        phi_1237_ = 4294967295u;
+                                                        phi_1575_ = 4294967295u;
                                                     }
-                                                    let _e1181 = phi_1237_;
-                                                    if _e1159 {
-                                                        phi_1270_ = 0u;
+                                                    let _e1405 = phi_1575_;
+                                                    if _e1383 {
+                                                        phi_1608_ = 0u;
                                                     } else {
-                                                        phi_1270_ = select(2u, 1u, (_e1157 < (2097152f * _e159)));
+                                                        phi_1608_ = select(2u, 1u, (_e1381 < (2097152f * _e162)));
                                                     }
-                                                    let _e1186 = phi_1270_;
-                                                    switch bitcast<i32>(_e1186) {
+                                                    let _e1410 = phi_1608_;
+                                                    switch bitcast<i32>(_e1410) {
                                                         case 0: {
-                                                            phi_1276_ = 1u;
+                                                            phi_1614_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1276_ = 2u;
+                                                            phi_1614_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1276_ = 3u;
+                                                            phi_1614_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1276_ = u32();
+                                                            phi_1614_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1189 = phi_1276_;
-                                                    let _e1193 = (_e643 + (_e1138.member_1 * ((3u * _e1189) + 1u)));
-                                                    switch bitcast<i32>(_e1186) {
+                                                    let _e1413 = phi_1614_;
+                                                    let _e1417 = (_e861 + (_e1362.member_1 * ((3u * _e1413) + 1u)));
+                                                    switch bitcast<i32>(_e1410) {
                                                         case 0: {
-                                                            let _e1459 = (_e1193 < _e103);
-                                                            if _e1459 {
-                                                                if _e1459 {
+                                                            let _e1692 = (_e1417 < _e106);
+                                                            if _e1692 {
+                                                                if _e1692 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1461 = global_10.member[_e1193];
-                                                                phi_1300_ = _e1461;
+                                                                let _e1694 = global_10.member[_e1417];
+                                                                phi_1638_ = _e1694;
                                                             } else {
-                                                                phi_1300_ = 0u;
+                                                                phi_1638_ = 0u;
                                                             }
-                                                            let _e1463 = phi_1300_;
-                                                            let _e1465 = ((10u * _e373) & 31u);
-                                                            let _e1474 = ((10u * _e372) & 31u);
-                                                            let _e1483 = ((10u * _e374) & 31u);
-                                                            let _e1492 = (_e1193 + 1u);
-                                                            let _e1493 = (_e1492 < _e103);
-                                                            if _e1493 {
-                                                                if _e1493 {
+                                                            let _e1696 = phi_1638_;
+                                                            let _e1698 = ((10u * _e436) & 31u);
+                                                            let _e1708 = ((10u * _e435) & 31u);
+                                                            let _e1718 = ((10u * _e437) & 31u);
+                                                            let _e1728 = (_e1417 + 1u);
+                                                            let _e1729 = (_e1728 < _e106);
+                                                            if _e1729 {
+                                                                if _e1729 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1495 = global_10.member[_e1492];
-                                                                phi_1343_ = _e1495;
+                                                                let _e1731 = global_10.member[_e1728];
+                                                                phi_1684_ = _e1731;
                                                             } else {
-                                                                phi_1343_ = 0u;
+                                                                phi_1684_ = 0u;
                                                             }
-                                                            let _e1497 = phi_1343_;
-                                                            let _e1520 = (_e1193 + 2u);
-                                                            let _e1521 = (_e1520 < _e103);
-                                                            if _e1521 {
-                                                                if _e1521 {
+                                                            let _e1733 = phi_1684_;
+                                                            let _e1759 = (_e1417 + 2u);
+                                                            let _e1760 = (_e1759 < _e106);
+                                                            if _e1760 {
+                                                                if _e1760 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1523 = global_10.member[_e1520];
-                                                                phi_1386_ = _e1523;
+                                                                let _e1762 = global_10.member[_e1759];
+                                                                phi_1730_ = _e1762;
                                                             } else {
-                                                                phi_1386_ = 0u;
+                                                                phi_1730_ = 0u;
                                                             }
-                                                            let _e1525 = phi_1386_;
-                                                            phi_1857_ = array<array<f32, 3>, 3>(array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>(((_e1463 >> bitcast<u32>(_e1465)) & 1023u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>(((_e1463 >> bitcast<u32>(_e1474)) & 1023u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>(((_e1463 >> bitcast<u32>(_e1483)) & 1023u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>(((_e1497 >> bitcast<u32>(_e1465)) & 1023u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>(((_e1497 >> bitcast<u32>(_e1474)) & 1023u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>(((_e1497 >> bitcast<u32>(_e1483)) & 1023u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>(((_e1525 >> bitcast<u32>(_e1465)) & 1023u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>(((_e1525 >> bitcast<u32>(_e1474)) & 1023u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>(((_e1525 >> bitcast<u32>(_e1483)) & 1023u))) * _e159))));
+                                                            let _e1764 = phi_1730_;
+                                                            phi_2213_ = array<array<f32, 3>, 3>(array<f32, 3>((_e852.member.member.x + ((bitcast<f32>((1258291200u | ((_e1696 >> bitcast<u32>(_e1698)) & 1023u))) - 8388608f) * _e162)), (_e852.member.member.y + ((bitcast<f32>((1258291200u | ((_e1696 >> bitcast<u32>(_e1708)) & 1023u))) - 8388608f) * _e162)), (_e852.member.member.z + ((bitcast<f32>((1258291200u | ((_e1696 >> bitcast<u32>(_e1718)) & 1023u))) - 8388608f) * _e162))), array<f32, 3>((_e852.member.member.x + ((bitcast<f32>((1258291200u | ((_e1733 >> bitcast<u32>(_e1698)) & 1023u))) - 8388608f) * _e162)), (_e852.member.member.y + ((bitcast<f32>((1258291200u | ((_e1733 >> bitcast<u32>(_e1708)) & 1023u))) - 8388608f) * _e162)), (_e852.member.member.z + ((bitcast<f32>((1258291200u | ((_e1733 >> bitcast<u32>(_e1718)) & 1023u))) - 8388608f) * _e162))), array<f32, 3>((_e852.member.member.x + ((bitcast<f32>((1258291200u | ((_e1764 >> bitcast<u32>(_e1698)) & 1023u))) - 8388608f) * _e162)), (_e852.member.member.y + ((bitcast<f32>((1258291200u | ((_e1764 >> bitcast<u32>(_e1708)) & 1023u))) - 8388608f) * _e162)), (_e852.member.member.z + ((bitcast<f32>((1258291200u | ((_e1764 >> bitcast<u32>(_e1718)) & 1023u))) - 8388608f) * _e162))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1282 = (_e1193 < _e103);
-                                                            if _e1282 {
-                                                                if _e1282 {
+                                                            let _e1506 = (_e1417 < _e106);
+                                                            if _e1506 {
+                                                                if _e1506 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1284 = global_10.member[_e1193];
-                                                                phi_1429_ = _e1284;
+                                                                let _e1508 = global_10.member[_e1417];
+                                                                phi_1776_ = _e1508;
                                                             } else {
-                                                                phi_1429_ = 0u;
+                                                                phi_1776_ = 0u;
                                                             }
-                                                            let _e1286 = phi_1429_;
-                                                            let _e1287 = (_e1193 + 1u);
-                                                            let _e1288 = (_e1287 < _e103);
-                                                            if _e1288 {
-                                                                if _e1288 {
+                                                            let _e1510 = phi_1776_;
+                                                            let _e1511 = (_e1417 + 1u);
+                                                            let _e1512 = (_e1511 < _e106);
+                                                            if _e1512 {
+                                                                if _e1512 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1290 = global_10.member[_e1287];
-                                                                phi_1444_ = _e1290;
+                                                                let _e1514 = global_10.member[_e1511];
+                                                                phi_1791_ = _e1514;
                                                             } else {
-                                                                phi_1444_ = 0u;
+                                                                phi_1791_ = 0u;
                                                             }
-                                                            let _e1292 = phi_1444_;
-                                                            let _e1293 = (_e373 == 1u);
-                                                            if _e1293 {
-                                                                phi_1454_ = ((_e1286 >> bitcast<u32>(21i)) | (_e1292 << bitcast<u32>(11i)));
+                                                            let _e1516 = phi_1791_;
+                                                            let _e1517 = (_e436 == 1u);
+                                                            if _e1517 {
+                                                                phi_1801_ = ((_e1510 >> bitcast<u32>(21i)) | (_e1516 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1454_ = (_e1292 >> bitcast<u32>(10i));
+                                                                phi_1801_ = (_e1516 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1302 = phi_1454_;
-                                                            let _e1309 = (_e372 == 1u);
-                                                            if _e1309 {
-                                                                phi_1474_ = ((_e1286 >> bitcast<u32>(21i)) | (_e1292 << bitcast<u32>(11i)));
+                                                            let _e1526 = phi_1801_;
+                                                            let _e1534 = (_e435 == 1u);
+                                                            if _e1534 {
+                                                                phi_1822_ = ((_e1510 >> bitcast<u32>(21i)) | (_e1516 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1474_ = (_e1292 >> bitcast<u32>(10i));
+                                                                phi_1822_ = (_e1516 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1318 = phi_1474_;
-                                                            let _e1325 = (_e374 == 1u);
-                                                            if _e1325 {
-                                                                phi_1494_ = ((_e1286 >> bitcast<u32>(21i)) | (_e1292 << bitcast<u32>(11i)));
+                                                            let _e1543 = phi_1822_;
+                                                            let _e1551 = (_e437 == 1u);
+                                                            if _e1551 {
+                                                                phi_1843_ = ((_e1510 >> bitcast<u32>(21i)) | (_e1516 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1494_ = (_e1292 >> bitcast<u32>(10i));
+                                                                phi_1843_ = (_e1516 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1334 = phi_1494_;
-                                                            let _e1342 = (_e1193 + 2u);
-                                                            let _e1343 = (_e1342 < _e103);
-                                                            if _e1343 {
-                                                                if _e1343 {
+                                                            let _e1560 = phi_1843_;
+                                                            let _e1569 = (_e1417 + 2u);
+                                                            let _e1570 = (_e1569 < _e106);
+                                                            if _e1570 {
+                                                                if _e1570 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1345 = global_10.member[_e1342];
-                                                                phi_1520_ = _e1345;
+                                                                let _e1572 = global_10.member[_e1569];
+                                                                phi_1870_ = _e1572;
                                                             } else {
-                                                                phi_1520_ = 0u;
+                                                                phi_1870_ = 0u;
                                                             }
-                                                            let _e1347 = phi_1520_;
-                                                            let _e1348 = (_e1193 + 3u);
-                                                            let _e1349 = (_e1348 < _e103);
-                                                            if _e1349 {
-                                                                if _e1349 {
+                                                            let _e1574 = phi_1870_;
+                                                            let _e1575 = (_e1417 + 3u);
+                                                            let _e1576 = (_e1575 < _e106);
+                                                            if _e1576 {
+                                                                if _e1576 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1351 = global_10.member[_e1348];
-                                                                phi_1535_ = _e1351;
+                                                                let _e1578 = global_10.member[_e1575];
+                                                                phi_1885_ = _e1578;
                                                             } else {
-                                                                phi_1535_ = 0u;
+                                                                phi_1885_ = 0u;
                                                             }
-                                                            let _e1353 = phi_1535_;
-                                                            if _e1293 {
-                                                                phi_1545_ = ((_e1347 >> bitcast<u32>(21i)) | (_e1353 << bitcast<u32>(11i)));
+                                                            let _e1580 = phi_1885_;
+                                                            if _e1517 {
+                                                                phi_1895_ = ((_e1574 >> bitcast<u32>(21i)) | (_e1580 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1545_ = (_e1353 >> bitcast<u32>(10i));
+                                                                phi_1895_ = (_e1580 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1362 = phi_1545_;
-                                                            if _e1309 {
-                                                                phi_1565_ = ((_e1347 >> bitcast<u32>(21i)) | (_e1353 << bitcast<u32>(11i)));
+                                                            let _e1589 = phi_1895_;
+                                                            if _e1534 {
+                                                                phi_1916_ = ((_e1574 >> bitcast<u32>(21i)) | (_e1580 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1565_ = (_e1353 >> bitcast<u32>(10i));
+                                                                phi_1916_ = (_e1580 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1377 = phi_1565_;
-                                                            if _e1325 {
-                                                                phi_1585_ = ((_e1347 >> bitcast<u32>(21i)) | (_e1353 << bitcast<u32>(11i)));
+                                                            let _e1605 = phi_1916_;
+                                                            if _e1551 {
+                                                                phi_1937_ = ((_e1574 >> bitcast<u32>(21i)) | (_e1580 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1585_ = (_e1353 >> bitcast<u32>(10i));
+                                                                phi_1937_ = (_e1580 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1392 = phi_1585_;
-                                                            let _e1400 = (_e1193 + 4u);
-                                                            let _e1401 = (_e1400 < _e103);
-                                                            if _e1401 {
-                                                                if _e1401 {
+                                                            let _e1621 = phi_1937_;
+                                                            let _e1630 = (_e1417 + 4u);
+                                                            let _e1631 = (_e1630 < _e106);
+                                                            if _e1631 {
+                                                                if _e1631 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1403 = global_10.member[_e1400];
-                                                                phi_1611_ = _e1403;
+                                                                let _e1633 = global_10.member[_e1630];
+                                                                phi_1964_ = _e1633;
                                                             } else {
-                                                                phi_1611_ = 0u;
+                                                                phi_1964_ = 0u;
                                                             }
-                                                            let _e1405 = phi_1611_;
-                                                            let _e1406 = (_e1193 + 5u);
-                                                            let _e1407 = (_e1406 < _e103);
-                                                            if _e1407 {
-                                                                if _e1407 {
+                                                            let _e1635 = phi_1964_;
+                                                            let _e1636 = (_e1417 + 5u);
+                                                            let _e1637 = (_e1636 < _e106);
+                                                            if _e1637 {
+                                                                if _e1637 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1409 = global_10.member[_e1406];
-                                                                phi_1626_ = _e1409;
+                                                                let _e1639 = global_10.member[_e1636];
+                                                                phi_1979_ = _e1639;
                                                             } else {
-                                                                phi_1626_ = 0u;
+                                                                phi_1979_ = 0u;
                                                             }
-                                                            let _e1411 = phi_1626_;
-                                                            if _e1293 {
-                                                                phi_1636_ = ((_e1405 >> bitcast<u32>(21i)) | (_e1411 << bitcast<u32>(11i)));
+                                                            let _e1641 = phi_1979_;
+                                                            if _e1517 {
+                                                                phi_1989_ = ((_e1635 >> bitcast<u32>(21i)) | (_e1641 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1636_ = (_e1411 >> bitcast<u32>(10i));
+                                                                phi_1989_ = (_e1641 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1420 = phi_1636_;
-                                                            if _e1309 {
-                                                                phi_1656_ = ((_e1405 >> bitcast<u32>(21i)) | (_e1411 << bitcast<u32>(11i)));
+                                                            let _e1650 = phi_1989_;
+                                                            if _e1534 {
+                                                                phi_2010_ = ((_e1635 >> bitcast<u32>(21i)) | (_e1641 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1656_ = (_e1411 >> bitcast<u32>(10i));
+                                                                phi_2010_ = (_e1641 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1435 = phi_1656_;
-                                                            if _e1325 {
-                                                                phi_1676_ = ((_e1405 >> bitcast<u32>(21i)) | (_e1411 << bitcast<u32>(11i)));
+                                                            let _e1666 = phi_2010_;
+                                                            if _e1551 {
+                                                                phi_2031_ = ((_e1635 >> bitcast<u32>(21i)) | (_e1641 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1676_ = (_e1411 >> bitcast<u32>(10i));
+                                                                phi_2031_ = (_e1641 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1450 = phi_1676_;
-                                                            phi_1857_ = array<array<f32, 3>, 3>(array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>((select(_e1302, _e1286, _e397) & 2097151u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>((select(_e1318, _e1286, _e434) & 2097151u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>((select(_e1334, _e1286, _e470) & 2097151u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>((select(_e1362, _e1347, _e397) & 2097151u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>((select(_e1377, _e1347, _e434) & 2097151u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>((select(_e1392, _e1347, _e470) & 2097151u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>((select(_e1420, _e1405, _e397) & 2097151u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>((select(_e1435, _e1405, _e434) & 2097151u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>((select(_e1450, _e1405, _e470) & 2097151u))) * _e159))));
+                                                            let _e1682 = phi_2031_;
+                                                            phi_2213_ = array<array<f32, 3>, 3>(array<f32, 3>((_e852.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1526, _e1510, _e460) & 2097151u))) - 8388608f) * _e162)), (_e852.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1543, _e1510, _e527) & 2097151u))) - 8388608f) * _e162)), (_e852.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1560, _e1510, _e593) & 2097151u))) - 8388608f) * _e162))), array<f32, 3>((_e852.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1589, _e1574, _e460) & 2097151u))) - 8388608f) * _e162)), (_e852.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1605, _e1574, _e527) & 2097151u))) - 8388608f) * _e162)), (_e852.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1621, _e1574, _e593) & 2097151u))) - 8388608f) * _e162))), array<f32, 3>((_e852.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1650, _e1635, _e460) & 2097151u))) - 8388608f) * _e162)), (_e852.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1666, _e1635, _e527) & 2097151u))) - 8388608f) * _e162)), (_e852.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1682, _e1635, _e593) & 2097151u))) - 8388608f) * _e162))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e1195 = (_e1193 + _e373);
-                                                            let _e1196 = (_e1195 < _e103);
-                                                            if _e1196 {
-                                                                if _e1196 {
+                                                            let _e1419 = (_e1417 + _e436);
+                                                            let _e1420 = (_e1419 < _e106);
+                                                            if _e1420 {
+                                                                if _e1420 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1198 = global_10.member[_e1195];
-                                                                phi_1703_ = _e1198;
+                                                                let _e1422 = global_10.member[_e1419];
+                                                                phi_2059_ = _e1422;
                                                             } else {
-                                                                phi_1703_ = 0u;
+                                                                phi_2059_ = 0u;
                                                             }
-                                                            let _e1200 = phi_1703_;
-                                                            let _e1204 = (_e1193 + _e372);
-                                                            let _e1205 = (_e1204 < _e103);
-                                                            if _e1205 {
-                                                                if _e1205 {
+                                                            let _e1424 = phi_2059_;
+                                                            let _e1428 = (_e1417 + _e435);
+                                                            let _e1429 = (_e1428 < _e106);
+                                                            if _e1429 {
+                                                                if _e1429 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1207 = global_10.member[_e1204];
-                                                                phi_1721_ = _e1207;
+                                                                let _e1431 = global_10.member[_e1428];
+                                                                phi_2077_ = _e1431;
                                                             } else {
-                                                                phi_1721_ = 0u;
+                                                                phi_2077_ = 0u;
                                                             }
-                                                            let _e1209 = phi_1721_;
-                                                            let _e1213 = (_e1193 + _e374);
-                                                            let _e1214 = (_e1213 < _e103);
-                                                            if _e1214 {
-                                                                if _e1214 {
+                                                            let _e1433 = phi_2077_;
+                                                            let _e1437 = (_e1417 + _e437);
+                                                            let _e1438 = (_e1437 < _e106);
+                                                            if _e1438 {
+                                                                if _e1438 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1216 = global_10.member[_e1213];
-                                                                phi_1739_ = _e1216;
+                                                                let _e1440 = global_10.member[_e1437];
+                                                                phi_2095_ = _e1440;
                                                             } else {
-                                                                phi_1739_ = 0u;
+                                                                phi_2095_ = 0u;
                                                             }
-                                                            let _e1218 = phi_1739_;
-                                                            let _e1223 = (_e1193 + 3u);
-                                                            let _e1224 = (_e1223 + _e373);
-                                                            let _e1225 = (_e1224 < _e103);
-                                                            if _e1225 {
-                                                                if _e1225 {
+                                                            let _e1442 = phi_2095_;
+                                                            let _e1447 = (_e1417 + 3u);
+                                                            let _e1448 = (_e1447 + _e436);
+                                                            let _e1449 = (_e1448 < _e106);
+                                                            if _e1449 {
+                                                                if _e1449 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1227 = global_10.member[_e1224];
-                                                                phi_1759_ = _e1227;
+                                                                let _e1451 = global_10.member[_e1448];
+                                                                phi_2115_ = _e1451;
                                                             } else {
-                                                                phi_1759_ = 0u;
+                                                                phi_2115_ = 0u;
                                                             }
-                                                            let _e1229 = phi_1759_;
-                                                            let _e1233 = (_e1223 + _e372);
-                                                            let _e1234 = (_e1233 < _e103);
-                                                            if _e1234 {
-                                                                if _e1234 {
+                                                            let _e1453 = phi_2115_;
+                                                            let _e1457 = (_e1447 + _e435);
+                                                            let _e1458 = (_e1457 < _e106);
+                                                            if _e1458 {
+                                                                if _e1458 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1236 = global_10.member[_e1233];
-                                                                phi_1777_ = _e1236;
+                                                                let _e1460 = global_10.member[_e1457];
+                                                                phi_2133_ = _e1460;
                                                             } else {
-                                                                phi_1777_ = 0u;
+                                                                phi_2133_ = 0u;
                                                             }
-                                                            let _e1238 = phi_1777_;
-                                                            let _e1242 = (_e1223 + _e374);
-                                                            let _e1243 = (_e1242 < _e103);
-                                                            if _e1243 {
-                                                                if _e1243 {
+                                                            let _e1462 = phi_2133_;
+                                                            let _e1466 = (_e1447 + _e437);
+                                                            let _e1467 = (_e1466 < _e106);
+                                                            if _e1467 {
+                                                                if _e1467 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1245 = global_10.member[_e1242];
-                                                                phi_1795_ = _e1245;
+                                                                let _e1469 = global_10.member[_e1466];
+                                                                phi_2151_ = _e1469;
                                                             } else {
-                                                                phi_1795_ = 0u;
+                                                                phi_2151_ = 0u;
                                                             }
-                                                            let _e1247 = phi_1795_;
-                                                            let _e1252 = (_e1193 + 6u);
-                                                            let _e1253 = (_e1252 + _e373);
-                                                            let _e1254 = (_e1253 < _e103);
-                                                            if _e1254 {
-                                                                if _e1254 {
+                                                            let _e1471 = phi_2151_;
+                                                            let _e1476 = (_e1417 + 6u);
+                                                            let _e1477 = (_e1476 + _e436);
+                                                            let _e1478 = (_e1477 < _e106);
+                                                            if _e1478 {
+                                                                if _e1478 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1256 = global_10.member[_e1253];
-                                                                phi_1815_ = _e1256;
+                                                                let _e1480 = global_10.member[_e1477];
+                                                                phi_2171_ = _e1480;
                                                             } else {
-                                                                phi_1815_ = 0u;
+                                                                phi_2171_ = 0u;
                                                             }
-                                                            let _e1258 = phi_1815_;
-                                                            let _e1262 = (_e1252 + _e372);
-                                                            let _e1263 = (_e1262 < _e103);
-                                                            if _e1263 {
-                                                                if _e1263 {
+                                                            let _e1482 = phi_2171_;
+                                                            let _e1486 = (_e1476 + _e435);
+                                                            let _e1487 = (_e1486 < _e106);
+                                                            if _e1487 {
+                                                                if _e1487 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1265 = global_10.member[_e1262];
-                                                                phi_1833_ = _e1265;
+                                                                let _e1489 = global_10.member[_e1486];
+                                                                phi_2189_ = _e1489;
                                                             } else {
-                                                                phi_1833_ = 0u;
+                                                                phi_2189_ = 0u;
                                                             }
-                                                            let _e1267 = phi_1833_;
-                                                            let _e1271 = (_e1252 + _e374);
-                                                            let _e1272 = (_e1271 < _e103);
-                                                            if _e1272 {
-                                                                if _e1272 {
+                                                            let _e1491 = phi_2189_;
+                                                            let _e1495 = (_e1476 + _e437);
+                                                            let _e1496 = (_e1495 < _e106);
+                                                            if _e1496 {
+                                                                if _e1496 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1274 = global_10.member[_e1271];
-                                                                phi_1851_ = _e1274;
+                                                                let _e1498 = global_10.member[_e1495];
+                                                                phi_2207_ = _e1498;
                                                             } else {
-                                                                phi_1851_ = 0u;
+                                                                phi_2207_ = 0u;
                                                             }
-                                                            let _e1276 = phi_1851_;
-                                                            phi_1857_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1200)) * _e159), (f32(bitcast<i32>(_e1209)) * _e159), (f32(bitcast<i32>(_e1218)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1229)) * _e159), (f32(bitcast<i32>(_e1238)) * _e159), (f32(bitcast<i32>(_e1247)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1258)) * _e159), (f32(bitcast<i32>(_e1267)) * _e159), (f32(bitcast<i32>(_e1276)) * _e159)));
+                                                            let _e1500 = phi_2207_;
+                                                            phi_2213_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1424)) * _e162), (f32(bitcast<i32>(_e1433)) * _e162), (f32(bitcast<i32>(_e1442)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1453)) * _e162), (f32(bitcast<i32>(_e1462)) * _e162), (f32(bitcast<i32>(_e1471)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1482)) * _e162), (f32(bitcast<i32>(_e1491)) * _e162), (f32(bitcast<i32>(_e1500)) * _e162)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1857_ = array<array<f32, 3>, 3>();
+                                                            phi_2213_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1550 = phi_1857_;
-                                                    let _e1558 = (_e1550[0][2] - _e478);
-                                                    let _e1561 = (((_e1550[0][0] - _e405) * _e502) - (_e1558 * _e430));
-                                                    let _e1564 = (((_e1550[0][1] - _e442) * _e502) - (_e1558 * _e466));
-                                                    let _e1571 = (_e1550[1][2] - _e478);
-                                                    let _e1574 = (((_e1550[1][0] - _e405) * _e502) - (_e1571 * _e430));
-                                                    let _e1577 = (((_e1550[1][1] - _e442) * _e502) - (_e1571 * _e466));
-                                                    let _e1584 = (_e1550[2][2] - _e478);
-                                                    let _e1587 = (((_e1550[2][0] - _e405) * _e502) - (_e1584 * _e430));
-                                                    let _e1590 = (((_e1550[2][1] - _e442) * _e502) - (_e1584 * _e466));
-                                                    let _e1591 = (_e1587 * _e1577);
-                                                    let _e1592 = (_e1590 * _e1574);
-                                                    let _e1593 = (_e1561 * _e1590);
-                                                    let _e1594 = (_e1564 * _e1587);
-                                                    let _e1595 = (_e1574 * _e1564);
-                                                    let _e1596 = (_e1577 * _e1561);
-                                                    let _e1601 = (((_e1591 >= _e1592) && (_e1593 >= _e1594)) && (_e1595 >= _e1596));
-                                                    if (_e1601 || (((_e1591 <= _e1592) && (_e1593 <= _e1594)) && (_e1595 <= _e1596))) {
-                                                        let _e1608 = select(-1f, 1f, _e1601);
-                                                        let _e1610 = ((_e1591 - _e1592) * _e1608);
-                                                        let _e1612 = select(0f, _e1610, (_e1610 > 0f));
-                                                        let _e1614 = ((_e1593 - _e1594) * _e1608);
-                                                        let _e1616 = select(0f, _e1614, (_e1614 > 0f));
-                                                        let _e1618 = ((_e1595 - _e1596) * _e1608);
-                                                        let _e1620 = select(0f, _e1618, (_e1618 > 0f));
-                                                        let _e1622 = ((_e1612 + _e1616) + _e1620);
-                                                        if (_e1622 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2682_ = type_21();
-                                                            phi_2683_ = true;
-                                                            phi_2684_ = false;
+                                                    let _e1792 = phi_2213_;
+                                                    let _e1800 = (_e1792[0][2] - _e616);
+                                                    let _e1803 = (((_e1792[0][0] - _e483) * _e655) - (_e1800 * _e523));
+                                                    let _e1806 = (((_e1792[0][1] - _e550) * _e655) - (_e1800 * _e589));
+                                                    let _e1813 = (_e1792[1][2] - _e616);
+                                                    let _e1816 = (((_e1792[1][0] - _e483) * _e655) - (_e1813 * _e523));
+                                                    let _e1819 = (((_e1792[1][1] - _e550) * _e655) - (_e1813 * _e589));
+                                                    let _e1826 = (_e1792[2][2] - _e616);
+                                                    let _e1829 = (((_e1792[2][0] - _e483) * _e655) - (_e1826 * _e523));
+                                                    let _e1832 = (((_e1792[2][1] - _e550) * _e655) - (_e1826 * _e589));
+                                                    let _e1833 = (_e1829 * _e1819);
+                                                    let _e1834 = (_e1832 * _e1816);
+                                                    let _e1835 = (_e1803 * _e1832);
+                                                    let _e1836 = (_e1806 * _e1829);
+                                                    let _e1837 = (_e1816 * _e1806);
+                                                    let _e1838 = (_e1819 * _e1803);
+                                                    let _e1843 = (((_e1833 >= _e1834) && (_e1835 >= _e1836)) && (_e1837 >= _e1838));
+                                                    if (_e1843 || (((_e1833 <= _e1834) && (_e1835 <= _e1836)) && (_e1837 <= _e1838))) {
+                                                        let _e1850 = select(-1f, 1f, _e1843);
+                                                        let _e1852 = ((_e1833 - _e1834) * _e1850);
+                                                        let _e1854 = select(0f, _e1852, (_e1852 > 0f));
+                                                        let _e1856 = ((_e1835 - _e1836) * _e1850);
+                                                        let _e1858 = select(0f, _e1856, (_e1856 > 0f));
+                                                        let _e1860 = ((_e1837 - _e1838) * _e1850);
+                                                        let _e1862 = select(0f, _e1860, (_e1860 > 0f));
+                                                        let _e1864 = ((_e1854 + _e1858) + _e1862);
+                                                        if (_e1864 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_3038_ = type_21();
+                                                            phi_3039_ = true;
+                                                            phi_3040_ = false;
                                                         } else {
-                                                            let _e1625 = select(_e1574, _e1561, (_e1561 < _e1574));
-                                                            if (select(_e1587, _e1625, (_e1625 < _e1587)) > 0f) {
-                                                                phi_1974_ = true;
+                                                            let _e1867 = select(_e1816, _e1803, (_e1803 < _e1816));
+                                                            if (select(_e1829, _e1867, (_e1867 < _e1829)) > 0f) {
+                                                                phi_2330_ = true;
                                                             } else {
-                                                                let _e1630 = select(_e1574, _e1561, (_e1561 > _e1574));
-                                                                phi_1974_ = (select(_e1587, _e1630, (_e1630 > _e1587)) < 0f);
+                                                                let _e1872 = select(_e1816, _e1803, (_e1803 > _e1816));
+                                                                phi_2330_ = (select(_e1829, _e1872, (_e1872 > _e1829)) < 0f);
                                                             }
-                                                            let _e1635 = phi_1974_;
-                                                            if _e1635 {
-                                                                phi_2679_ = type_21();
-                                                                phi_2680_ = true;
-                                                                phi_2681_ = false;
+                                                            let _e1877 = phi_2330_;
+                                                            if _e1877 {
+                                                                phi_3035_ = type_21();
+                                                                phi_3036_ = true;
+                                                                phi_3037_ = false;
                                                             } else {
-                                                                let _e1637 = select(_e1577, _e1564, (_e1564 < _e1577));
-                                                                if (select(_e1590, _e1637, (_e1637 < _e1590)) > 0f) {
-                                                                    phi_2003_ = true;
+                                                                let _e1879 = select(_e1819, _e1806, (_e1806 < _e1819));
+                                                                if (select(_e1832, _e1879, (_e1879 < _e1832)) > 0f) {
+                                                                    phi_2359_ = true;
                                                                 } else {
-                                                                    let _e1642 = select(_e1577, _e1564, (_e1564 > _e1577));
-                                                                    phi_2003_ = (select(_e1590, _e1642, (_e1642 > _e1590)) < 0f);
+                                                                    let _e1884 = select(_e1819, _e1806, (_e1806 > _e1819));
+                                                                    phi_2359_ = (select(_e1832, _e1884, (_e1884 > _e1832)) < 0f);
                                                                 }
-                                                                let _e1647 = phi_2003_;
-                                                                if _e1647 {
-                                                                    phi_2677_ = type_21();
-                                                                    phi_2678_ = false;
+                                                                let _e1889 = phi_2359_;
+                                                                if _e1889 {
+                                                                    phi_3033_ = type_21();
+                                                                    phi_3034_ = false;
                                                                 } else {
-                                                                    let _e1649 = select(_e1550[1][0], _e1550[0][0], (_e1550[0][0] < _e1550[1][0]));
-                                                                    let _e1653 = select(_e1550[1][0], _e1550[0][0], (_e1550[0][0] > _e1550[1][0]));
-                                                                    let _e1657 = select(_e1550[1][1], _e1550[0][1], (_e1550[0][1] < _e1550[1][1]));
-                                                                    let _e1661 = select(_e1550[1][1], _e1550[0][1], (_e1550[0][1] > _e1550[1][1]));
-                                                                    let _e1665 = select(_e1550[1][2], _e1550[0][2], (_e1550[0][2] < _e1550[1][2]));
-                                                                    let _e1669 = select(_e1550[1][2], _e1550[0][2], (_e1550[0][2] > _e1550[1][2]));
-                                                                    let _e1674 = ((select(_e1550[2][0], _e1649, (_e1649 < _e1550[2][0])) - _e428) * _e433);
-                                                                    let _e1675 = ((select(_e1550[2][0], _e1653, (_e1653 > _e1550[2][0])) - _e429) * _e433);
-                                                                    let _e1678 = ((select(_e1550[2][1], _e1657, (_e1657 < _e1550[2][1])) - _e464) * _e469);
-                                                                    let _e1679 = ((select(_e1550[2][1], _e1661, (_e1661 > _e1550[2][1])) - _e465) * _e469);
-                                                                    let _e1682 = ((select(_e1550[2][2], _e1665, (_e1665 < _e1550[2][2])) - _e500) * _e505);
-                                                                    let _e1683 = ((select(_e1550[2][2], _e1669, (_e1669 > _e1550[2][2])) - _e501) * _e505);
-                                                                    let _e1685 = select(_e1683, _e1682, (_e1682 < _e1683));
-                                                                    let _e1687 = select(_e1683, _e1682, (_e1682 > _e1683));
-                                                                    let _e1689 = select(_e1675, _e1674, (_e1674 < _e1675));
-                                                                    let _e1691 = select(_e1679, _e1678, (_e1678 < _e1679));
-                                                                    let _e1693 = select(_e1691, _e1689, (_e1689 > _e1691));
-                                                                    let _e1695 = select(_e1685, _e1693, (_e1693 > _e1685));
-                                                                    let _e1697 = select(_e1675, _e1674, (_e1674 > _e1675));
-                                                                    let _e1699 = select(_e1679, _e1678, (_e1678 > _e1679));
-                                                                    let _e1701 = select(_e1699, _e1697, (_e1697 < _e1699));
-                                                                    let _e1703 = select(_e1687, _e1701, (_e1701 < _e1687));
-                                                                    let _e1704 = -(_e1685);
-                                                                    let _e1710 = select(_e551, _e1695, (_e1695 > _e551));
-                                                                    if (_e1710 > (_e1703 + (select(_e1704, _e1687, (_e1687 > _e1704)) * 0.0000019073523f))) {
-                                                                        phi_2672_ = type_21();
-                                                                        phi_2673_ = true;
+                                                                    let _e1891 = select(_e1792[1][0], _e1792[0][0], (_e1792[0][0] < _e1792[1][0]));
+                                                                    let _e1895 = select(_e1792[1][0], _e1792[0][0], (_e1792[0][0] > _e1792[1][0]));
+                                                                    let _e1899 = select(_e1792[1][1], _e1792[0][1], (_e1792[0][1] < _e1792[1][1]));
+                                                                    let _e1903 = select(_e1792[1][1], _e1792[0][1], (_e1792[0][1] > _e1792[1][1]));
+                                                                    let _e1907 = select(_e1792[1][2], _e1792[0][2], (_e1792[0][2] < _e1792[1][2]));
+                                                                    let _e1911 = select(_e1792[1][2], _e1792[0][2], (_e1792[0][2] > _e1792[1][2]));
+                                                                    let _e1916 = ((select(_e1792[2][0], _e1891, (_e1891 < _e1792[2][0])) - _e521) * _e526);
+                                                                    let _e1917 = ((select(_e1792[2][0], _e1895, (_e1895 > _e1792[2][0])) - _e522) * _e526);
+                                                                    let _e1920 = ((select(_e1792[2][1], _e1899, (_e1899 < _e1792[2][1])) - _e587) * _e592);
+                                                                    let _e1921 = ((select(_e1792[2][1], _e1903, (_e1903 > _e1792[2][1])) - _e588) * _e592);
+                                                                    let _e1924 = ((select(_e1792[2][2], _e1907, (_e1907 < _e1792[2][2])) - _e653) * _e658);
+                                                                    let _e1925 = ((select(_e1792[2][2], _e1911, (_e1911 > _e1792[2][2])) - _e654) * _e658);
+                                                                    let _e1927 = select(_e1925, _e1924, (_e1924 < _e1925));
+                                                                    let _e1929 = select(_e1925, _e1924, (_e1924 > _e1925));
+                                                                    let _e1931 = select(_e1917, _e1916, (_e1916 < _e1917));
+                                                                    let _e1933 = select(_e1921, _e1920, (_e1920 < _e1921));
+                                                                    let _e1935 = select(_e1933, _e1931, (_e1931 > _e1933));
+                                                                    let _e1937 = select(_e1927, _e1935, (_e1935 > _e1927));
+                                                                    let _e1939 = select(_e1917, _e1916, (_e1916 > _e1917));
+                                                                    let _e1941 = select(_e1921, _e1920, (_e1920 > _e1921));
+                                                                    let _e1943 = select(_e1941, _e1939, (_e1939 < _e1941));
+                                                                    let _e1945 = select(_e1929, _e1943, (_e1943 < _e1929));
+                                                                    let _e1946 = -(_e1927);
+                                                                    let _e1952 = select(_e769, _e1937, (_e1937 > _e769));
+                                                                    if (_e1952 > (_e1945 + (select(_e1946, _e1929, (_e1929 > _e1946)) * 0.0000019073523f))) {
+                                                                        phi_3028_ = type_21();
+                                                                        phi_3029_ = true;
                                                                     } else {
-                                                                        let _e1712 = (_e1710 > _e1121.member);
-                                                                        if _e1712 {
-                                                                            phi_2671_ = type_21();
+                                                                        let _e1954 = (_e1952 > _e1345.member);
+                                                                        if _e1954 {
+                                                                            phi_3027_ = type_21();
                                                                         } else {
-                                                                            let _e1713 = vec3<f32>(_e1550[0][0], _e1550[0][1], _e1550[0][2]);
-                                                                            let _e1714 = vec3<f32>(_e1550[1][0], _e1550[1][1], _e1550[1][2]);
-                                                                            let _e1715 = vec3<f32>(_e1550[2][0], _e1550[2][1], _e1550[2][2]);
-                                                                            let _e1716 = (_e1550[1][0] - _e1550[0][0]);
-                                                                            let _e1717 = (_e1550[1][1] - _e1550[0][1]);
-                                                                            let _e1718 = (_e1550[1][2] - _e1550[0][2]);
-                                                                            let _e1719 = vec3<f32>(_e1716, _e1717, _e1718);
-                                                                            let _e1720 = (_e1550[2][0] - _e1550[1][0]);
-                                                                            let _e1721 = (_e1550[2][1] - _e1550[1][1]);
-                                                                            let _e1722 = (_e1550[2][2] - _e1550[1][2]);
-                                                                            let _e1723 = vec3<f32>(_e1720, _e1721, _e1722);
-                                                                            let _e1724 = (_e1550[0][0] - _e1550[2][0]);
-                                                                            let _e1725 = (_e1550[0][1] - _e1550[2][1]);
-                                                                            let _e1726 = (_e1550[0][2] - _e1550[2][2]);
-                                                                            let _e1727 = vec3<f32>(_e1724, _e1725, _e1726);
-                                                                            let _e1730 = bitcast<f32>((bitcast<u32>(_e1716) & 2147483647u));
-                                                                            let _e1733 = bitcast<f32>((bitcast<u32>(_e1717) & 2147483647u));
-                                                                            let _e1735 = select(_e1733, _e1730, (_e1730 > _e1733));
-                                                                            let _e1738 = bitcast<f32>((bitcast<u32>(_e1718) & 2147483647u));
-                                                                            let _e1740 = select(_e1738, _e1735, (_e1735 > _e1738));
-                                                                            let _e1743 = bitcast<f32>((bitcast<u32>(_e1720) & 2147483647u));
-                                                                            let _e1746 = bitcast<f32>((bitcast<u32>(_e1721) & 2147483647u));
-                                                                            let _e1748 = select(_e1746, _e1743, (_e1743 > _e1746));
-                                                                            let _e1751 = bitcast<f32>((bitcast<u32>(_e1722) & 2147483647u));
-                                                                            let _e1753 = select(_e1751, _e1748, (_e1748 > _e1751));
-                                                                            let _e1756 = bitcast<f32>((bitcast<u32>(_e1724) & 2147483647u));
-                                                                            let _e1759 = bitcast<f32>((bitcast<u32>(_e1725) & 2147483647u));
-                                                                            let _e1761 = select(_e1759, _e1756, (_e1756 > _e1759));
-                                                                            let _e1764 = bitcast<f32>((bitcast<u32>(_e1726) & 2147483647u));
-                                                                            let _e1766 = select(_e1764, _e1761, (_e1761 > _e1764));
-                                                                            let _e1768 = select(_e1753, _e1740, (_e1740 > _e1753));
-                                                                            let _e1770 = select(_e1766, _e1768, (_e1768 > _e1766));
-                                                                            if (_e1740 == _e1770) {
-                                                                                phi_2404_ = _e1577;
-                                                                                phi_2405_ = _e1574;
-                                                                                phi_2406_ = _e1564;
-                                                                                phi_2407_ = _e1561;
-                                                                                phi_2408_ = _e1713;
-                                                                                phi_2409_ = _e1727;
-                                                                                phi_2410_ = _e1723;
-                                                                                phi_2411_ = _e1719;
+                                                                            let _e1955 = vec3<f32>(_e1792[0][0], _e1792[0][1], _e1792[0][2]);
+                                                                            let _e1956 = vec3<f32>(_e1792[1][0], _e1792[1][1], _e1792[1][2]);
+                                                                            let _e1957 = vec3<f32>(_e1792[2][0], _e1792[2][1], _e1792[2][2]);
+                                                                            let _e1958 = (_e1792[1][0] - _e1792[0][0]);
+                                                                            let _e1959 = (_e1792[1][1] - _e1792[0][1]);
+                                                                            let _e1960 = (_e1792[1][2] - _e1792[0][2]);
+                                                                            let _e1961 = vec3<f32>(_e1958, _e1959, _e1960);
+                                                                            let _e1962 = (_e1792[2][0] - _e1792[1][0]);
+                                                                            let _e1963 = (_e1792[2][1] - _e1792[1][1]);
+                                                                            let _e1964 = (_e1792[2][2] - _e1792[1][2]);
+                                                                            let _e1965 = vec3<f32>(_e1962, _e1963, _e1964);
+                                                                            let _e1966 = (_e1792[0][0] - _e1792[2][0]);
+                                                                            let _e1967 = (_e1792[0][1] - _e1792[2][1]);
+                                                                            let _e1968 = (_e1792[0][2] - _e1792[2][2]);
+                                                                            let _e1969 = vec3<f32>(_e1966, _e1967, _e1968);
+                                                                            let _e1972 = bitcast<f32>((bitcast<u32>(_e1958) & 2147483647u));
+                                                                            let _e1975 = bitcast<f32>((bitcast<u32>(_e1959) & 2147483647u));
+                                                                            let _e1977 = select(_e1975, _e1972, (_e1972 > _e1975));
+                                                                            let _e1980 = bitcast<f32>((bitcast<u32>(_e1960) & 2147483647u));
+                                                                            let _e1982 = select(_e1980, _e1977, (_e1977 > _e1980));
+                                                                            let _e1985 = bitcast<f32>((bitcast<u32>(_e1962) & 2147483647u));
+                                                                            let _e1988 = bitcast<f32>((bitcast<u32>(_e1963) & 2147483647u));
+                                                                            let _e1990 = select(_e1988, _e1985, (_e1985 > _e1988));
+                                                                            let _e1993 = bitcast<f32>((bitcast<u32>(_e1964) & 2147483647u));
+                                                                            let _e1995 = select(_e1993, _e1990, (_e1990 > _e1993));
+                                                                            let _e1998 = bitcast<f32>((bitcast<u32>(_e1966) & 2147483647u));
+                                                                            let _e2001 = bitcast<f32>((bitcast<u32>(_e1967) & 2147483647u));
+                                                                            let _e2003 = select(_e2001, _e1998, (_e1998 > _e2001));
+                                                                            let _e2006 = bitcast<f32>((bitcast<u32>(_e1968) & 2147483647u));
+                                                                            let _e2008 = select(_e2006, _e2003, (_e2003 > _e2006));
+                                                                            let _e2010 = select(_e1995, _e1982, (_e1982 > _e1995));
+                                                                            let _e2012 = select(_e2008, _e2010, (_e2010 > _e2008));
+                                                                            if (_e1982 == _e2012) {
+                                                                                phi_2760_ = _e1819;
+                                                                                phi_2761_ = _e1816;
+                                                                                phi_2762_ = _e1806;
+                                                                                phi_2763_ = _e1803;
+                                                                                phi_2764_ = _e1955;
+                                                                                phi_2765_ = _e1969;
+                                                                                phi_2766_ = _e1965;
+                                                                                phi_2767_ = _e1961;
                                                                             } else {
-                                                                                let _e1772 = (_e1753 == _e1770);
-                                                                                let _e1777 = vec3(_e1772);
-                                                                                phi_2404_ = select(_e1564, _e1590, _e1772);
-                                                                                phi_2405_ = select(_e1561, _e1587, _e1772);
-                                                                                phi_2406_ = select(_e1590, _e1577, _e1772);
-                                                                                phi_2407_ = select(_e1587, _e1574, _e1772);
-                                                                                phi_2408_ = select(_e1715, _e1714, _e1777);
-                                                                                phi_2409_ = select(_e1723, _e1719, _e1777);
-                                                                                phi_2410_ = select(_e1719, _e1727, _e1777);
-                                                                                phi_2411_ = select(_e1727, _e1723, _e1777);
+                                                                                let _e2014 = (_e1995 == _e2012);
+                                                                                let _e2019 = vec3(_e2014);
+                                                                                phi_2760_ = select(_e1806, _e1832, _e2014);
+                                                                                phi_2761_ = select(_e1803, _e1829, _e2014);
+                                                                                phi_2762_ = select(_e1832, _e1819, _e2014);
+                                                                                phi_2763_ = select(_e1829, _e1816, _e2014);
+                                                                                phi_2764_ = select(_e1957, _e1956, _e2019);
+                                                                                phi_2765_ = select(_e1965, _e1961, _e2019);
+                                                                                phi_2766_ = select(_e1961, _e1969, _e2019);
+                                                                                phi_2767_ = select(_e1969, _e1965, _e2019);
                                                                             }
-                                                                            let _e1783 = phi_2404_;
-                                                                            let _e1785 = phi_2405_;
-                                                                            let _e1787 = phi_2406_;
-                                                                            let _e1789 = phi_2407_;
-                                                                            let _e1791 = phi_2408_;
-                                                                            let _e1793 = phi_2409_;
-                                                                            let _e1795 = phi_2410_;
-                                                                            let _e1797 = phi_2411_;
-                                                                            let _e1804 = ((_e1795.y * _e1793.z) - (_e1793.y * _e1795.z));
-                                                                            let _e1809 = ((_e1795.z * _e1793.x) - (_e1793.z * _e1795.x));
-                                                                            let _e1812 = ((_e1795.x * _e1793.y) - (_e1793.x * _e1795.y));
-                                                                            if (_e1612 >= _e1616) {
-                                                                                phi_2442_ = select(true, false, (_e1612 >= _e1620));
+                                                                            let _e2025 = phi_2760_;
+                                                                            let _e2027 = phi_2761_;
+                                                                            let _e2029 = phi_2762_;
+                                                                            let _e2031 = phi_2763_;
+                                                                            let _e2033 = phi_2764_;
+                                                                            let _e2035 = phi_2765_;
+                                                                            let _e2037 = phi_2766_;
+                                                                            let _e2039 = phi_2767_;
+                                                                            let _e2046 = ((_e2037.y * _e2035.z) - (_e2035.y * _e2037.z));
+                                                                            let _e2051 = ((_e2037.z * _e2035.x) - (_e2035.z * _e2037.x));
+                                                                            let _e2054 = ((_e2037.x * _e2035.y) - (_e2035.x * _e2037.y));
+                                                                            if (_e1854 >= _e1858) {
+                                                                                phi_2798_ = select(true, false, (_e1854 >= _e1862));
                                                                             } else {
-                                                                                phi_2442_ = true;
+                                                                                phi_2798_ = true;
                                                                             }
-                                                                            let _e1817 = phi_2442_;
-                                                                            if _e1817 {
-                                                                                phi_2451_ = select(_e1715, _e1714, vec3((_e1616 >= _e1620)));
+                                                                            let _e2059 = phi_2798_;
+                                                                            if _e2059 {
+                                                                                phi_2807_ = select(_e1957, _e1956, vec3((_e1858 >= _e1862)));
                                                                             } else {
-                                                                                phi_2451_ = _e1713;
+                                                                                phi_2807_ = _e1955;
                                                                             }
-                                                                            let _e1822 = phi_2451_;
-                                                                            let _e1833 = (((_e1804 * (_e1822.x - _e405)) + (_e1809 * (_e1822.y - _e442))) + (_e1812 * (_e1822.z - _e478)));
-                                                                            let _e1838 = (((_e1804 * _e430) + (_e1809 * _e466)) + (_e1812 * _e502));
-                                                                            let _e1839 = (_e1785 - _e1789);
-                                                                            let _e1840 = (_e1783 - _e1787);
-                                                                            let _e1848 = (-(((_e1789 * _e1839) + (_e1787 * _e1840))) / ((_e1839 * _e1839) + (_e1840 * _e1840)));
-                                                                            let _e1850 = select(1f, _e1848, (_e1848 < 1f));
-                                                                            let _e1852 = select(0f, _e1850, (_e1850 > 0f));
-                                                                            let _e1865 = ((_e1791.x + (_e1797.x * _e1852)) - _e405);
-                                                                            let _e1866 = ((_e1791.y + (_e1797.y * _e1852)) - _e442);
-                                                                            let _e1867 = ((_e1791.z + (_e1797.z * _e1852)) - _e478);
-                                                                            let _e1868 = (_e1867 / _e502);
-                                                                            let _e1880 = bitcast<f32>((bitcast<u32>(_e1865) & 2147483647u));
-                                                                            let _e1883 = bitcast<f32>((bitcast<u32>(_e1866) & 2147483647u));
-                                                                            let _e1885 = select(_e1883, _e1880, (_e1880 > _e1883));
-                                                                            let _e1888 = bitcast<f32>((bitcast<u32>(_e1867) & 2147483647u));
-                                                                            let _e1890 = select(_e1888, _e1885, (_e1885 > _e1888));
-                                                                            let _e1896 = bitcast<f32>((bitcast<u32>(_e1804) & 2147483647u));
-                                                                            let _e1899 = bitcast<f32>((bitcast<u32>(_e1809) & 2147483647u));
-                                                                            let _e1901 = select(_e1899, _e1896, (_e1896 > _e1899));
-                                                                            let _e1904 = bitcast<f32>((bitcast<u32>(_e1812) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1804 * _e1865) + (_e1809 * _e1866)) + (_e1812 * _e1867)) - _e1833)) & 2147483647u)) <= ((0.0000009536743f * select(_e1770, _e1890, (_e1890 > _e1770))) * select(_e1904, _e1901, (_e1901 > _e1904)))) {
-                                                                                let _e1914 = bitcast<f32>((bitcast<u32>(_e1795.x) & 2147483647u));
-                                                                                let _e1917 = bitcast<f32>((bitcast<u32>(_e1795.y) & 2147483647u));
-                                                                                let _e1919 = select(_e1917, _e1914, (_e1914 > _e1917));
-                                                                                let _e1922 = bitcast<f32>((bitcast<u32>(_e1795.z) & 2147483647u));
-                                                                                let _e1928 = bitcast<f32>((bitcast<u32>(_e1793.x) & 2147483647u));
-                                                                                let _e1931 = bitcast<f32>((bitcast<u32>(_e1793.y) & 2147483647u));
-                                                                                let _e1933 = select(_e1931, _e1928, (_e1928 > _e1931));
-                                                                                let _e1936 = bitcast<f32>((bitcast<u32>(_e1793.z) & 2147483647u));
-                                                                                let _e1940 = (bitcast<f32>((bitcast<u32>(_e1838) & 2147483647u)) > ((0.0000038146973f * select(_e1922, _e1919, (_e1919 > _e1922))) * select(_e1936, _e1933, (_e1933 > _e1936))));
-                                                                                if _e1940 {
-                                                                                    phi_2616_ = (_e1833 / _e1838);
+                                                                            let _e2064 = phi_2807_;
+                                                                            let _e2075 = (((_e2046 * (_e2064.x - _e483)) + (_e2051 * (_e2064.y - _e550))) + (_e2054 * (_e2064.z - _e616)));
+                                                                            let _e2080 = (((_e2046 * _e523) + (_e2051 * _e589)) + (_e2054 * _e655));
+                                                                            let _e2081 = (_e2027 - _e2031);
+                                                                            let _e2082 = (_e2025 - _e2029);
+                                                                            let _e2090 = (-(((_e2031 * _e2081) + (_e2029 * _e2082))) / ((_e2081 * _e2081) + (_e2082 * _e2082)));
+                                                                            let _e2092 = select(1f, _e2090, (_e2090 < 1f));
+                                                                            let _e2094 = select(0f, _e2092, (_e2092 > 0f));
+                                                                            let _e2107 = ((_e2033.x + (_e2039.x * _e2094)) - _e483);
+                                                                            let _e2108 = ((_e2033.y + (_e2039.y * _e2094)) - _e550);
+                                                                            let _e2109 = ((_e2033.z + (_e2039.z * _e2094)) - _e616);
+                                                                            let _e2110 = (_e2109 / _e655);
+                                                                            let _e2122 = bitcast<f32>((bitcast<u32>(_e2107) & 2147483647u));
+                                                                            let _e2125 = bitcast<f32>((bitcast<u32>(_e2108) & 2147483647u));
+                                                                            let _e2127 = select(_e2125, _e2122, (_e2122 > _e2125));
+                                                                            let _e2130 = bitcast<f32>((bitcast<u32>(_e2109) & 2147483647u));
+                                                                            let _e2132 = select(_e2130, _e2127, (_e2127 > _e2130));
+                                                                            let _e2138 = bitcast<f32>((bitcast<u32>(_e2046) & 2147483647u));
+                                                                            let _e2141 = bitcast<f32>((bitcast<u32>(_e2051) & 2147483647u));
+                                                                            let _e2143 = select(_e2141, _e2138, (_e2138 > _e2141));
+                                                                            let _e2146 = bitcast<f32>((bitcast<u32>(_e2054) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e2046 * _e2107) + (_e2051 * _e2108)) + (_e2054 * _e2109)) - _e2075)) & 2147483647u)) <= ((0.0000009536743f * select(_e2012, _e2132, (_e2132 > _e2012))) * select(_e2146, _e2143, (_e2143 > _e2146)))) {
+                                                                                let _e2156 = bitcast<f32>((bitcast<u32>(_e2037.x) & 2147483647u));
+                                                                                let _e2159 = bitcast<f32>((bitcast<u32>(_e2037.y) & 2147483647u));
+                                                                                let _e2161 = select(_e2159, _e2156, (_e2156 > _e2159));
+                                                                                let _e2164 = bitcast<f32>((bitcast<u32>(_e2037.z) & 2147483647u));
+                                                                                let _e2170 = bitcast<f32>((bitcast<u32>(_e2035.x) & 2147483647u));
+                                                                                let _e2173 = bitcast<f32>((bitcast<u32>(_e2035.y) & 2147483647u));
+                                                                                let _e2175 = select(_e2173, _e2170, (_e2170 > _e2173));
+                                                                                let _e2178 = bitcast<f32>((bitcast<u32>(_e2035.z) & 2147483647u));
+                                                                                let _e2182 = (bitcast<f32>((bitcast<u32>(_e2080) & 2147483647u)) > ((0.0000038146973f * select(_e2164, _e2161, (_e2161 > _e2164))) * select(_e2178, _e2175, (_e2175 > _e2178))));
+                                                                                if _e2182 {
+                                                                                    phi_2972_ = (_e2075 / _e2080);
                                                                                 } else {
-                                                                                    phi_2616_ = f32();
+                                                                                    phi_2972_ = f32();
                                                                                 }
-                                                                                let _e1943 = phi_2616_;
-                                                                                phi_2618_ = _e1943;
-                                                                                phi_2619_ = select(true, false, _e1940);
+                                                                                let _e2185 = phi_2972_;
+                                                                                phi_2974_ = _e2185;
+                                                                                phi_2975_ = select(true, false, _e2182);
                                                                             } else {
-                                                                                phi_2618_ = f32();
-                                                                                phi_2619_ = true;
+                                                                                phi_2974_ = f32();
+                                                                                phi_2975_ = true;
                                                                             }
-                                                                            let _e1946 = phi_2618_;
-                                                                            let _e1948 = phi_2619_;
-                                                                            if _e1948 {
-                                                                                let _e1956 = (((_e1804 * (_e1865 - (_e430 * _e1868))) + (_e1809 * (_e1866 - (_e466 * _e1868)))) / _e1838);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1956) & 2147483647u)) <= _e1770) {
-                                                                                    phi_2639_ = (_e1868 + _e1956);
+                                                                            let _e2188 = phi_2974_;
+                                                                            let _e2190 = phi_2975_;
+                                                                            if _e2190 {
+                                                                                let _e2198 = (((_e2046 * (_e2107 - (_e523 * _e2110))) + (_e2051 * (_e2108 - (_e589 * _e2110)))) / _e2080);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e2198) & 2147483647u)) <= _e2012) {
+                                                                                    phi_2995_ = (_e2110 + _e2198);
                                                                                 } else {
-                                                                                    phi_2639_ = _e1868;
+                                                                                    phi_2995_ = _e2110;
                                                                                 }
-                                                                                let _e1963 = phi_2639_;
-                                                                                phi_2640_ = _e1963;
+                                                                                let _e2205 = phi_2995_;
+                                                                                phi_2996_ = _e2205;
                                                                             } else {
-                                                                                phi_2640_ = _e1946;
+                                                                                phi_2996_ = _e2188;
                                                                             }
-                                                                            let _e1965 = phi_2640_;
-                                                                            let _e1967 = select(_e1703, _e1965, (_e1965 < _e1703));
-                                                                            let _e1969 = select(_e1695, _e1967, (_e1967 > _e1695));
-                                                                            if (_e1969 >= _e551) {
-                                                                                let _e1971 = (_e1969 <= _e1121.member);
-                                                                                if _e1971 {
-                                                                                    let _e1972 = (1f / _e1622);
-                                                                                    phi_2663_ = type_21(_e1969, (_e1616 * _e1972), (_e1620 * _e1972), _e1181);
+                                                                            let _e2207 = phi_2996_;
+                                                                            let _e2209 = select(_e1945, _e2207, (_e2207 < _e1945));
+                                                                            let _e2211 = select(_e1937, _e2209, (_e2209 > _e1937));
+                                                                            if (_e2211 >= _e769) {
+                                                                                let _e2213 = (_e2211 <= _e1345.member);
+                                                                                if _e2213 {
+                                                                                    let _e2214 = (1f / _e1864);
+                                                                                    phi_3019_ = type_21(_e2211, (_e1858 * _e2214), (_e1862 * _e2214), _e1405);
                                                                                 } else {
-                                                                                    phi_2663_ = type_21();
+                                                                                    phi_3019_ = type_21();
                                                                                 }
-                                                                                let _e1977 = phi_2663_;
-                                                                                phi_2665_ = _e1977;
-                                                                                phi_2666_ = select(true, false, _e1971);
+                                                                                let _e2219 = phi_3019_;
+                                                                                phi_3021_ = _e2219;
+                                                                                phi_3022_ = select(true, false, _e2213);
                                                                             } else {
-                                                                                phi_2665_ = type_21();
-                                                                                phi_2666_ = true;
+                                                                                phi_3021_ = type_21();
+                                                                                phi_3022_ = true;
                                                                             }
-                                                                            let _e1980 = phi_2665_;
-                                                                            let _e1982 = phi_2666_;
-                                                                            if _e1982 {
-                                                                                phi_2670_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e2222 = phi_3021_;
+                                                                            let _e2224 = phi_3022_;
+                                                                            if _e2224 {
+                                                                                phi_3026_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2670_ = _e1980;
+                                                                                phi_3026_ = _e2222;
                                                                             }
-                                                                            let _e1984 = phi_2670_;
-                                                                            phi_2671_ = _e1984;
+                                                                            let _e2226 = phi_3026_;
+                                                                            phi_3027_ = _e2226;
                                                                         }
-                                                                        let _e1986 = phi_2671_;
-                                                                        phi_2672_ = _e1986;
-                                                                        phi_2673_ = _e1712;
+                                                                        let _e2228 = phi_3027_;
+                                                                        phi_3028_ = _e2228;
+                                                                        phi_3029_ = _e1954;
                                                                     }
-                                                                    let _e1988 = phi_2672_;
-                                                                    let _e1990 = phi_2673_;
-                                                                    phi_2677_ = _e1988;
-                                                                    phi_2678_ = _e1990;
+                                                                    let _e2230 = phi_3028_;
+                                                                    let _e2232 = phi_3029_;
+                                                                    phi_3033_ = _e2230;
+                                                                    phi_3034_ = _e2232;
                                                                 }
-                                                                let _e1992 = phi_2677_;
-                                                                let _e1994 = phi_2678_;
-                                                                phi_2679_ = _e1992;
-                                                                phi_2680_ = _e1647;
-                                                                phi_2681_ = _e1994;
+                                                                let _e2234 = phi_3033_;
+                                                                let _e2236 = phi_3034_;
+                                                                phi_3035_ = _e2234;
+                                                                phi_3036_ = _e1889;
+                                                                phi_3037_ = _e2236;
                                                             }
-                                                            let _e1996 = phi_2679_;
-                                                            let _e1998 = phi_2680_;
-                                                            let _e2000 = phi_2681_;
-                                                            phi_2682_ = _e1996;
-                                                            phi_2683_ = _e1998;
-                                                            phi_2684_ = _e2000;
+                                                            let _e2238 = phi_3035_;
+                                                            let _e2240 = phi_3036_;
+                                                            let _e2242 = phi_3037_;
+                                                            phi_3038_ = _e2238;
+                                                            phi_3039_ = _e2240;
+                                                            phi_3040_ = _e2242;
                                                         }
-                                                        let _e2002 = phi_2682_;
-                                                        let _e2004 = phi_2683_;
-                                                        let _e2006 = phi_2684_;
-                                                        phi_2692_ = _e2002;
-                                                        phi_2693_ = select(_e2006, true, _e2004);
+                                                        let _e2244 = phi_3038_;
+                                                        let _e2246 = phi_3039_;
+                                                        let _e2248 = phi_3040_;
+                                                        phi_3048_ = _e2244;
+                                                        phi_3049_ = select(_e2248, true, _e2246);
                                                     } else {
-                                                        phi_2692_ = type_21();
-                                                        phi_2693_ = true;
+                                                        phi_3048_ = type_21();
+                                                        phi_3049_ = true;
                                                     }
-                                                    let _e2009 = phi_2692_;
-                                                    let _e2011 = phi_2693_;
-                                                    if _e2011 {
-                                                        phi_2697_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e2251 = phi_3048_;
+                                                    let _e2253 = phi_3049_;
+                                                    if _e2253 {
+                                                        phi_3053_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2697_ = _e2009;
+                                                        phi_3053_ = _e2251;
                                                     }
-                                                    let _e2013 = phi_2697_;
-                                                    if (_e2013.member_3 != 4294967295u) {
-                                                        if (_e1181 == _e168) {
-                                                            phi_3026_ = false;
+                                                    let _e2255 = phi_3053_;
+                                                    if (_e2255.member_3 != 4294967295u) {
+                                                        if (_e1405 == _e171) {
+                                                            phi_3382_ = false;
                                                         } else {
-                                                            let _e2017 = (_e1181 < arrayLength((&global_5.member)));
-                                                            if _e2017 {
-                                                                if _e2017 {
+                                                            let _e2259 = (_e1405 < arrayLength((&global_5.member)));
+                                                            if _e2259 {
+                                                                if _e2259 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e2019 = global_5.member[_e1181];
-                                                                phi_2720_ = _e2019;
+                                                                let _e2261 = global_5.member[_e1405];
+                                                                phi_3076_ = _e2261;
                                                             } else {
-                                                                phi_2720_ = 4294967295u;
+                                                                phi_3076_ = 4294967295u;
                                                             }
-                                                            let _e2021 = phi_2720_;
-                                                            let _e2022 = (_e2021 < arrayLength((&global_6.member)));
-                                                            if _e2022 {
-                                                                if _e2022 {
+                                                            let _e2263 = phi_3076_;
+                                                            let _e2264 = (_e2263 < arrayLength((&global_6.member)));
+                                                            if _e2264 {
+                                                                if _e2264 {
                                                                 } else {
-                                                                    phi_4531_ = true;
+                                                                    phi_4895_ = true;
                                                                     break;
                                                                 }
-                                                                let _e2024 = global_6.member[_e2021];
-                                                                phi_2734_ = _e2024;
+                                                                let _e2266 = global_6.member[_e2263];
+                                                                phi_3090_ = _e2266;
                                                             } else {
-                                                                phi_2734_ = 0i;
+                                                                phi_3090_ = 0i;
                                                             }
-                                                            let _e2026 = phi_2734_;
-                                                            let _e2027 = (_e2026 == 0i);
-                                                            if _e2027 {
-                                                                phi_3025_ = true;
+                                                            let _e2268 = phi_3090_;
+                                                            let _e2269 = (_e2268 == 0i);
+                                                            if _e2269 {
+                                                                phi_3381_ = true;
                                                             } else {
-                                                                if _e397 {
-                                                                    phi_2755_ = vec3<f32>(_e1550[0][0], _e1550[0][1], _e1550[0][2]);
+                                                                if _e460 {
+                                                                    phi_3111_ = vec3<f32>(_e1792[0][0], _e1792[0][1], _e1792[0][2]);
                                                                 } else {
-                                                                    if (_e373 == 1u) {
-                                                                        phi_2754_ = vec3<f32>(_e1550[0][2], _e1550[0][0], _e1550[0][1]);
+                                                                    if (_e436 == 1u) {
+                                                                        phi_3110_ = vec3<f32>(_e1792[0][2], _e1792[0][0], _e1792[0][1]);
                                                                     } else {
-                                                                        phi_2754_ = vec3<f32>(_e1550[0][1], _e1550[0][2], _e1550[0][0]);
+                                                                        phi_3110_ = vec3<f32>(_e1792[0][1], _e1792[0][2], _e1792[0][0]);
                                                                     }
-                                                                    let _e2032 = phi_2754_;
-                                                                    phi_2755_ = _e2032;
+                                                                    let _e2274 = phi_3110_;
+                                                                    phi_3111_ = _e2274;
                                                                 }
-                                                                let _e2035 = phi_2755_;
-                                                                if _e397 {
-                                                                    phi_2772_ = vec3<f32>(_e1550[1][0], _e1550[1][1], _e1550[1][2]);
+                                                                let _e2277 = phi_3111_;
+                                                                if _e460 {
+                                                                    phi_3128_ = vec3<f32>(_e1792[1][0], _e1792[1][1], _e1792[1][2]);
                                                                 } else {
-                                                                    if (_e373 == 1u) {
-                                                                        phi_2771_ = vec3<f32>(_e1550[1][2], _e1550[1][0], _e1550[1][1]);
+                                                                    if (_e436 == 1u) {
+                                                                        phi_3127_ = vec3<f32>(_e1792[1][2], _e1792[1][0], _e1792[1][1]);
                                                                     } else {
-                                                                        phi_2771_ = vec3<f32>(_e1550[1][1], _e1550[1][2], _e1550[1][0]);
+                                                                        phi_3127_ = vec3<f32>(_e1792[1][1], _e1792[1][2], _e1792[1][0]);
                                                                     }
-                                                                    let _e2040 = phi_2771_;
-                                                                    phi_2772_ = _e2040;
+                                                                    let _e2282 = phi_3127_;
+                                                                    phi_3128_ = _e2282;
                                                                 }
-                                                                let _e2043 = phi_2772_;
-                                                                if _e397 {
-                                                                    phi_2789_ = vec3<f32>(_e1550[2][0], _e1550[2][1], _e1550[2][2]);
+                                                                let _e2285 = phi_3128_;
+                                                                if _e460 {
+                                                                    phi_3145_ = vec3<f32>(_e1792[2][0], _e1792[2][1], _e1792[2][2]);
                                                                 } else {
-                                                                    if (_e373 == 1u) {
-                                                                        phi_2788_ = vec3<f32>(_e1550[2][2], _e1550[2][0], _e1550[2][1]);
+                                                                    if (_e436 == 1u) {
+                                                                        phi_3144_ = vec3<f32>(_e1792[2][2], _e1792[2][0], _e1792[2][1]);
                                                                     } else {
-                                                                        phi_2788_ = vec3<f32>(_e1550[2][1], _e1550[2][2], _e1550[2][0]);
+                                                                        phi_3144_ = vec3<f32>(_e1792[2][1], _e1792[2][2], _e1792[2][0]);
                                                                     }
-                                                                    let _e2048 = phi_2788_;
-                                                                    phi_2789_ = _e2048;
+                                                                    let _e2290 = phi_3144_;
+                                                                    phi_3145_ = _e2290;
                                                                 }
-                                                                let _e2051 = phi_2789_;
-                                                                let _e2054 = (_e2043.x - _e2035.x);
-                                                                let _e2057 = (_e2043.y - _e2035.y);
-                                                                let _e2060 = (_e2043.z - _e2035.z);
-                                                                let _e2062 = (_e2051.x - _e2035.x);
-                                                                let _e2064 = (_e2051.y - _e2035.y);
-                                                                let _e2066 = (_e2051.z - _e2035.z);
-                                                                if (_e240.member_1 == 1u) {
-                                                                    phi_2825_ = (vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]) - _e2035);
+                                                                let _e2293 = phi_3145_;
+                                                                let _e2296 = (_e2285.x - _e2277.x);
+                                                                let _e2299 = (_e2285.y - _e2277.y);
+                                                                let _e2302 = (_e2285.z - _e2277.z);
+                                                                let _e2304 = (_e2293.x - _e2277.x);
+                                                                let _e2306 = (_e2293.y - _e2277.y);
+                                                                let _e2308 = (_e2293.z - _e2277.z);
+                                                                if (_e303.member_1 == 1u) {
+                                                                    phi_3181_ = (vec3<f32>(_e303.member[0], _e303.member[1], _e303.member[2]) - _e2277);
                                                                 } else {
-                                                                    phi_2825_ = vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]);
+                                                                    phi_3181_ = vec3<f32>(_e303.member[0], _e303.member[1], _e303.member[2]);
                                                                 }
-                                                                let _e2081 = phi_2825_;
-                                                                let _e2087 = bitcast<f32>((bitcast<u32>((_e2054 * _e2064)) ^ _e240.member_3[0]));
-                                                                let _e2091 = bitcast<f32>((bitcast<u32>((_e2057 * _e2062)) ^ _e240.member_3[0]));
-                                                                let _e2095 = bitcast<f32>((bitcast<u32>((_e2057 * _e2066)) ^ _e240.member_3[0]));
-                                                                let _e2099 = bitcast<f32>((bitcast<u32>((_e2060 * _e2064)) ^ _e240.member_3[0]));
-                                                                let _e2103 = bitcast<f32>((bitcast<u32>((_e2060 * _e2062)) ^ _e240.member_3[0]));
-                                                                let _e2107 = bitcast<f32>((bitcast<u32>((_e2054 * _e2066)) ^ _e240.member_3[0]));
-                                                                let _e2108 = (_e2095 - _e2099);
-                                                                let _e2109 = (_e2103 - _e2107);
-                                                                let _e2110 = (_e2087 - _e2091);
-                                                                let _e2134 = (bitcast<f32>((bitcast<u32>(_e2095) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2099) & 2147483647u)));
-                                                                let _e2141 = (bitcast<f32>((bitcast<u32>(_e2103) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2107) & 2147483647u)));
-                                                                let _e2148 = (bitcast<f32>((bitcast<u32>(_e2087) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2091) & 2147483647u)));
-                                                                if (_e240.member_2 == 0f) {
-                                                                    phi_3007_ = 0f;
+                                                                let _e2323 = phi_3181_;
+                                                                let _e2329 = bitcast<f32>((bitcast<u32>((_e2296 * _e2306)) ^ _e303.member_3[0]));
+                                                                let _e2333 = bitcast<f32>((bitcast<u32>((_e2299 * _e2304)) ^ _e303.member_3[0]));
+                                                                let _e2337 = bitcast<f32>((bitcast<u32>((_e2299 * _e2308)) ^ _e303.member_3[0]));
+                                                                let _e2341 = bitcast<f32>((bitcast<u32>((_e2302 * _e2306)) ^ _e303.member_3[0]));
+                                                                let _e2345 = bitcast<f32>((bitcast<u32>((_e2302 * _e2304)) ^ _e303.member_3[0]));
+                                                                let _e2349 = bitcast<f32>((bitcast<u32>((_e2296 * _e2308)) ^ _e303.member_3[0]));
+                                                                let _e2350 = (_e2337 - _e2341);
+                                                                let _e2351 = (_e2345 - _e2349);
+                                                                let _e2352 = (_e2329 - _e2333);
+                                                                let _e2376 = (bitcast<f32>((bitcast<u32>(_e2337) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2341) & 2147483647u)));
+                                                                let _e2383 = (bitcast<f32>((bitcast<u32>(_e2345) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2349) & 2147483647u)));
+                                                                let _e2390 = (bitcast<f32>((bitcast<u32>(_e2329) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2333) & 2147483647u)));
+                                                                if (_e303.member_2 == 0f) {
+                                                                    phi_3363_ = 0f;
                                                                 } else {
-                                                                    let _e2178 = bitcast<f32>((bitcast<u32>(_e2108) & 2147483647u));
-                                                                    let _e2181 = bitcast<f32>((bitcast<u32>(_e2109) & 2147483647u));
-                                                                    let _e2184 = bitcast<f32>((bitcast<u32>(_e2110) & 2147483647u));
-                                                                    let _e2186 = select(_e2184, _e2181, (_e2181 > _e2184));
-                                                                    let _e2190 = select(_e2184, _e2181, (_e2181 < _e2184));
-                                                                    let _e2194 = select(_e2181, _e2178, (_e2178 < _e2181));
-                                                                    let _e2196 = select(_e2181, _e2178, (_e2178 > _e2181));
-                                                                    let _e2198 = select(_e2184, _e2196, (_e2196 < _e2184));
-                                                                    phi_3007_ = bitcast<f32>((bitcast<u32>((_e240.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2186, _e2178, (_e2178 > _e2186)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2198, _e2194, (_e2194 > _e2198)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2190, _e2178, (_e2178 < _e2190)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2134 + _e2141) + _e2148))) ^ _e240.member_3[0]))) * 1.0000005f)) ^ _e240.member_3[0])))) ^ _e240.member_3[0]));
+                                                                    let _e2420 = bitcast<f32>((bitcast<u32>(_e2350) & 2147483647u));
+                                                                    let _e2423 = bitcast<f32>((bitcast<u32>(_e2351) & 2147483647u));
+                                                                    let _e2426 = bitcast<f32>((bitcast<u32>(_e2352) & 2147483647u));
+                                                                    let _e2428 = select(_e2426, _e2423, (_e2423 > _e2426));
+                                                                    let _e2432 = select(_e2426, _e2423, (_e2423 < _e2426));
+                                                                    let _e2436 = select(_e2423, _e2420, (_e2420 < _e2423));
+                                                                    let _e2438 = select(_e2423, _e2420, (_e2420 > _e2423));
+                                                                    let _e2440 = select(_e2426, _e2438, (_e2438 < _e2426));
+                                                                    phi_3363_ = bitcast<f32>((bitcast<u32>((_e303.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2428, _e2420, (_e2420 > _e2428)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2440, _e2436, (_e2436 > _e2440)))) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2432, _e2420, (_e2420 < _e2432)))) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2376 + _e2383) + _e2390))) ^ _e303.member_3[0]))) * 1.0000005f)) ^ _e303.member_3[0])))) ^ _e303.member_3[0]));
                                                                 }
-                                                                let _e2225 = phi_3007_;
-                                                                phi_3025_ = (_e2027 || !(((((bitcast<f32>((bitcast<u32>((_e2081.x * _e2108)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2081.y * _e2109)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2081.z * _e2110)) ^ _e240.member_3[0]))) * f32(-(_e2026))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2081.x) & 2147483647u)) * _e2134)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2081.y) & 2147483647u)) * _e2141)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2081.z) & 2147483647u)) * _e2148)) ^ _e240.member_3[0]))))) ^ _e240.member_3[0])) + _e2225) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e2467 = phi_3363_;
+                                                                phi_3381_ = (_e2269 || !(((((bitcast<f32>((bitcast<u32>((_e2323.x * _e2350)) ^ _e303.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2323.y * _e2351)) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2323.z * _e2352)) ^ _e303.member_3[0]))) * f32(-(_e2268))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2323.x) & 2147483647u)) * _e2376)) ^ _e303.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2323.y) & 2147483647u)) * _e2383)) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2323.z) & 2147483647u)) * _e2390)) ^ _e303.member_3[0]))))) ^ _e303.member_3[0])) + _e2467) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e2239 = phi_3025_;
-                                                            phi_3026_ = _e2239;
+                                                            let _e2481 = phi_3381_;
+                                                            phi_3382_ = _e2481;
                                                         }
-                                                        let _e2241 = phi_3026_;
-                                                        if _e2241 {
-                                                            phi_3031_ = type_42(_e1121.member, true);
+                                                        let _e2483 = phi_3382_;
+                                                        if _e2483 {
+                                                            phi_3387_ = type_42(_e1345.member, true);
                                                         } else {
-                                                            phi_3031_ = _e1121;
+                                                            phi_3387_ = _e1345;
                                                         }
-                                                        let _e2246 = phi_3031_;
-                                                        phi_3032_ = _e2246;
+                                                        let _e2488 = phi_3387_;
+                                                        phi_3388_ = _e2488;
                                                     } else {
-                                                        phi_3032_ = _e1121;
+                                                        phi_3388_ = _e1345;
                                                     }
-                                                    let _e2248 = phi_3032_;
-                                                    phi_1139_ = _e2248;
+                                                    let _e2490 = phi_3388_;
+                                                    phi_1477_ = _e2490;
                                                 } else {
-                                                    phi_1139_ = type_42();
+                                                    phi_1477_ = type_42();
                                                 }
-                                                let _e2250 = phi_1139_;
+                                                let _e2492 = phi_1477_;
                                                 continue;
                                                 continuing {
-                                                    phi_1138_ = _e2250;
-                                                    phi_1141_ = _e1136;
-                                                    phi_4531_ = _e593;
-                                                    break if !(_e1142);
+                                                    phi_1476_ = _e2492;
+                                                    phi_1479_ = _e1360;
+                                                    phi_4895_ = _e811;
+                                                    break if !(_e1366);
                                                 }
                                             }
-                                            let _e2253 = phi_4531_;
-                                            phi_4744_ = _e2253;
-                                            if _e2253 {
+                                            let _e2495 = phi_4895_;
+                                            phi_5134_ = _e2495;
+                                            if _e2495 {
                                                 break;
                                             }
-                                            let _e2255 = local_10;
-                                            phi_4748_ = _e2253;
-                                            let _e2495 = local_12;
-                                            phi_4273_ = _e2495;
-                                            phi_4274_ = _e634;
-                                            phi_4275_ = false;
-                                            phi_4276_ = select(_e638, 0u, _e2255.member_1);
+                                            let _e2497 = local_10;
+                                            phi_5138_ = _e2495;
+                                            let _e2743 = local_12;
+                                            phi_4629_ = _e2743;
+                                            phi_4630_ = _e852;
+                                            phi_4631_ = false;
+                                            phi_4632_ = select(_e856, 0u, _e2497.member_1);
                                         } else {
-                                            if (_e634.member_1 >= _e100) {
-                                                phi_3829_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e852.member_1 >= _e103) {
+                                                phi_4185_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e634.member_1 < _e100) {
+                                                if (_e852.member_1 < _e103) {
                                                 } else {
-                                                    phi_4744_ = true;
+                                                    phi_5134_ = true;
                                                     break;
                                                 }
-                                                let _e650 = (_e373 * 2u);
-                                                let _e652 = ((1u + _e650) % 7u);
-                                                if (_e652 < 7u) {
+                                                let _e868 = (_e436 * 2u);
+                                                let _e870 = ((1u + _e868) % 7u);
+                                                if (_e870 < 7u) {
                                                 } else {
-                                                    phi_4744_ = true;
+                                                    phi_5134_ = true;
                                                     break;
                                                 }
-                                                let _e657 = global_8.member[_e634.member_1][_e652];
-                                                let _e659 = ((_e650 + 2u) % 7u);
-                                                if (_e659 < 7u) {
+                                                let _e875 = global_8.member[_e852.member_1][_e870];
+                                                let _e877 = ((_e868 + 2u) % 7u);
+                                                if (_e877 < 7u) {
                                                 } else {
-                                                    phi_4744_ = true;
+                                                    phi_5134_ = true;
                                                     break;
                                                 }
-                                                let _e664 = global_8.member[_e634.member_1][_e659];
-                                                let _e665 = (_e372 * 2u);
-                                                let _e667 = ((1u + _e665) % 7u);
-                                                if (_e667 < 7u) {
+                                                let _e882 = global_8.member[_e852.member_1][_e877];
+                                                let _e883 = (_e435 * 2u);
+                                                let _e885 = ((1u + _e883) % 7u);
+                                                if (_e885 < 7u) {
                                                 } else {
-                                                    phi_4744_ = true;
+                                                    phi_5134_ = true;
                                                     break;
                                                 }
-                                                let _e672 = global_8.member[_e634.member_1][_e667];
-                                                let _e674 = ((_e665 + 2u) % 7u);
-                                                if (_e674 < 7u) {
+                                                let _e890 = global_8.member[_e852.member_1][_e885];
+                                                let _e892 = ((_e883 + 2u) % 7u);
+                                                if (_e892 < 7u) {
                                                 } else {
-                                                    phi_4744_ = true;
+                                                    phi_5134_ = true;
                                                     break;
                                                 }
-                                                let _e679 = global_8.member[_e634.member_1][_e674];
-                                                let _e680 = (_e374 * 2u);
-                                                let _e682 = ((1u + _e680) % 7u);
-                                                if (_e682 < 7u) {
+                                                let _e897 = global_8.member[_e852.member_1][_e892];
+                                                let _e898 = (_e437 * 2u);
+                                                let _e900 = ((1u + _e898) % 7u);
+                                                if (_e900 < 7u) {
                                                 } else {
-                                                    phi_4744_ = true;
+                                                    phi_5134_ = true;
                                                     break;
                                                 }
-                                                let _e687 = global_8.member[_e634.member_1][_e682];
-                                                let _e689 = ((_e680 + 2u) % 7u);
-                                                if (_e689 < 7u) {
+                                                let _e905 = global_8.member[_e852.member_1][_e900];
+                                                let _e907 = ((_e898 + 2u) % 7u);
+                                                if (_e907 < 7u) {
                                                 } else {
-                                                    phi_4744_ = true;
+                                                    phi_5134_ = true;
                                                     break;
                                                 }
-                                                let _e694 = global_8.member[_e634.member_1][_e689];
-                                                let _e717 = (bitcast<f32>((bitcast<u32>((_e634.member.member_1.x - _e634.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e718 = (bitcast<f32>((bitcast<u32>((_e634.member.member_1.y - _e634.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e719 = (bitcast<f32>((bitcast<u32>((_e634.member.member_1.z - _e634.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e721 = select(_e159, _e717, (_e717 > _e159));
-                                                let _e723 = select(_e159, _e718, (_e718 > _e159));
-                                                let _e725 = select(_e159, _e719, (_e719 > _e159));
-                                                let _e750 = bitcast<u32>((f32(bitcast<i32>((_e657 & 2097151u))) * _e721));
-                                                let _e755 = (bitcast<i32>((_e657 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e758 = bitcast<f32>((_e750 & bitcast<u32>(_e755)));
-                                                let _e759 = bitcast<u32>((f32(bitcast<i32>((_e672 & 2097151u))) * _e723));
-                                                let _e764 = (bitcast<i32>((_e672 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e767 = bitcast<f32>((_e759 & bitcast<u32>(_e764)));
-                                                let _e768 = bitcast<u32>((f32(bitcast<i32>((_e687 & 2097151u))) * _e725));
-                                                let _e773 = (bitcast<i32>((_e687 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e776 = bitcast<f32>((_e768 & bitcast<u32>(_e773)));
-                                                let _e780 = bitcast<f32>((_e750 & bitcast<u32>(~(_e755))));
-                                                let _e784 = bitcast<f32>((_e759 & bitcast<u32>(~(_e764))));
-                                                let _e788 = bitcast<f32>((_e768 & bitcast<u32>(~(_e773))));
-                                                let _e789 = bitcast<u32>((f32(bitcast<i32>((_e664 & 2097151u))) * _e721));
-                                                let _e794 = (bitcast<i32>((_e664 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e797 = bitcast<f32>((_e789 & bitcast<u32>(_e794)));
-                                                let _e798 = bitcast<u32>((f32(bitcast<i32>((_e679 & 2097151u))) * _e723));
-                                                let _e803 = (bitcast<i32>((_e679 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e806 = bitcast<f32>((_e798 & bitcast<u32>(_e803)));
-                                                let _e807 = bitcast<u32>((f32(bitcast<i32>((_e694 & 2097151u))) * _e725));
-                                                let _e812 = (bitcast<i32>((_e694 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e815 = bitcast<f32>((_e807 & bitcast<u32>(_e812)));
-                                                let _e819 = bitcast<f32>((_e789 & bitcast<u32>(~(_e794))));
-                                                let _e823 = bitcast<f32>((_e798 & bitcast<u32>(~(_e803))));
-                                                let _e827 = bitcast<f32>((_e807 & bitcast<u32>(~(_e812))));
-                                                let _e828 = (_e634.member.member.x + _e758);
-                                                let _e829 = (_e634.member.member.y + _e767);
-                                                let _e830 = (_e634.member.member.z + _e776);
-                                                let _e833 = (_e634.member.member_1.x - _e797);
-                                                let _e834 = (_e634.member.member_1.y - _e806);
-                                                let _e835 = (_e634.member.member_1.z - _e815);
-                                                let _e854 = (_e833 - _e828);
-                                                let _e855 = (_e834 - _e829);
-                                                let _e856 = (_e835 - _e830);
-                                                let _e858 = select(_e855, _e854, (_e854 > _e855));
-                                                let _e860 = select(_e856, _e858, (_e858 > _e856));
-                                                if (_e860 < (1024f * _e159)) {
-                                                    phi_3530_ = 0u;
+                                                let _e912 = global_8.member[_e852.member_1][_e907];
+                                                let _e935 = (bitcast<f32>((bitcast<u32>((_e852.member.member_1.x - _e852.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e936 = (bitcast<f32>((bitcast<u32>((_e852.member.member_1.y - _e852.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e937 = (bitcast<f32>((bitcast<u32>((_e852.member.member_1.z - _e852.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e939 = select(_e162, _e935, (_e935 > _e162));
+                                                let _e941 = select(_e162, _e936, (_e936 > _e162));
+                                                let _e943 = select(_e162, _e937, (_e937 > _e162));
+                                                let _e974 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e875 & 2097151u))) - 8388608f) * _e939));
+                                                let _e979 = (bitcast<i32>((_e875 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e982 = bitcast<f32>((_e974 & bitcast<u32>(_e979)));
+                                                let _e983 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e890 & 2097151u))) - 8388608f) * _e941));
+                                                let _e988 = (bitcast<i32>((_e890 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e991 = bitcast<f32>((_e983 & bitcast<u32>(_e988)));
+                                                let _e992 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e905 & 2097151u))) - 8388608f) * _e943));
+                                                let _e997 = (bitcast<i32>((_e905 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1000 = bitcast<f32>((_e992 & bitcast<u32>(_e997)));
+                                                let _e1004 = bitcast<f32>((_e974 & bitcast<u32>(~(_e979))));
+                                                let _e1008 = bitcast<f32>((_e983 & bitcast<u32>(~(_e988))));
+                                                let _e1012 = bitcast<f32>((_e992 & bitcast<u32>(~(_e997))));
+                                                let _e1013 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e882 & 2097151u))) - 8388608f) * _e939));
+                                                let _e1018 = (bitcast<i32>((_e882 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1021 = bitcast<f32>((_e1013 & bitcast<u32>(_e1018)));
+                                                let _e1022 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e897 & 2097151u))) - 8388608f) * _e941));
+                                                let _e1027 = (bitcast<i32>((_e897 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1030 = bitcast<f32>((_e1022 & bitcast<u32>(_e1027)));
+                                                let _e1031 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e912 & 2097151u))) - 8388608f) * _e943));
+                                                let _e1036 = (bitcast<i32>((_e912 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1039 = bitcast<f32>((_e1031 & bitcast<u32>(_e1036)));
+                                                let _e1043 = bitcast<f32>((_e1013 & bitcast<u32>(~(_e1018))));
+                                                let _e1047 = bitcast<f32>((_e1022 & bitcast<u32>(~(_e1027))));
+                                                let _e1051 = bitcast<f32>((_e1031 & bitcast<u32>(~(_e1036))));
+                                                let _e1052 = (_e852.member.member.x + _e982);
+                                                let _e1053 = (_e852.member.member.y + _e991);
+                                                let _e1054 = (_e852.member.member.z + _e1000);
+                                                let _e1057 = (_e852.member.member_1.x - _e1021);
+                                                let _e1058 = (_e852.member.member_1.y - _e1030);
+                                                let _e1059 = (_e852.member.member_1.z - _e1039);
+                                                let _e1078 = (_e1057 - _e1052);
+                                                let _e1079 = (_e1058 - _e1053);
+                                                let _e1080 = (_e1059 - _e1054);
+                                                let _e1082 = select(_e1079, _e1078, (_e1078 > _e1079));
+                                                let _e1084 = select(_e1080, _e1082, (_e1082 > _e1080));
+                                                if (_e1084 < (1024f * _e162)) {
+                                                    phi_3886_ = 0u;
                                                 } else {
-                                                    phi_3530_ = select(2u, 1u, (_e860 < (2097152f * _e159)));
+                                                    phi_3886_ = select(2u, 1u, (_e1084 < (2097152f * _e162)));
                                                 }
-                                                let _e867 = phi_3530_;
-                                                switch bitcast<i32>(_e867) {
+                                                let _e1091 = phi_3886_;
+                                                switch bitcast<i32>(_e1091) {
                                                     case 0: {
-                                                        phi_3536_ = 1u;
+                                                        phi_3892_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3536_ = 2u;
+                                                        phi_3892_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3536_ = 3u;
+                                                        phi_3892_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3536_ = u32();
+                                                        phi_3892_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e870 = phi_3536_;
-                                                let _e876 = global_8.member[_e634.member_1][0u];
-                                                let _e880 = global_8.member[_e634.member_1][2u];
-                                                let _e884 = global_8.member[_e634.member_1][4u];
-                                                let _e888 = global_8.member[_e634.member_1][6u];
-                                                let _e900 = (((_e880 >> bitcast<u32>(22i)) | ((_e884 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e888 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e901 = (_e876 & 268435455u);
-                                                let _e902 = (_e900 & 268435455u);
-                                                let _e905 = ((_e876 >> bitcast<u32>(28u)) & 7u);
-                                                let _e913 = ((_e876 >> bitcast<u32>(31i)) | (((_e900 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e914 = (_e905 != 0u);
-                                                if (_e905 == 0u) {
-                                                    phi_3791_ = _e901;
+                                                let _e1094 = phi_3892_;
+                                                let _e1100 = global_8.member[_e852.member_1][0u];
+                                                let _e1104 = global_8.member[_e852.member_1][2u];
+                                                let _e1108 = global_8.member[_e852.member_1][4u];
+                                                let _e1112 = global_8.member[_e852.member_1][6u];
+                                                let _e1124 = (((_e1104 >> bitcast<u32>(22i)) | ((_e1108 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1112 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e1125 = (_e1100 & 268435455u);
+                                                let _e1126 = (_e1124 & 268435455u);
+                                                let _e1129 = ((_e1100 >> bitcast<u32>(28u)) & 7u);
+                                                let _e1137 = ((_e1100 >> bitcast<u32>(31i)) | (((_e1124 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e1138 = (_e1129 != 0u);
+                                                if (_e1129 == 0u) {
+                                                    phi_4147_ = _e1125;
                                                 } else {
-                                                    if (_e905 == 7u) {
-                                                        phi_3790_ = 2147483648u;
+                                                    if (_e1129 == 7u) {
+                                                        phi_4146_ = 2147483648u;
                                                     } else {
-                                                        phi_3790_ = ((2147483648u | (_e905 << bitcast<u32>(28u))) | (_e902 & 268435455u));
+                                                        phi_4146_ = ((2147483648u | (_e1129 << bitcast<u32>(28u))) | (_e1126 & 268435455u));
                                                     }
-                                                    let _e923 = phi_3790_;
-                                                    phi_3791_ = _e923;
+                                                    let _e1147 = phi_4146_;
+                                                    phi_4147_ = _e1147;
                                                 }
-                                                let _e925 = phi_3791_;
-                                                if _e914 {
-                                                    let _e926 = (_e905 != 7u);
-                                                    if _e926 {
-                                                        phi_3801_ = (_e902 + (_e905 * ((3u * _e870) + 1u)));
+                                                let _e1149 = phi_4147_;
+                                                if _e1138 {
+                                                    let _e1150 = (_e1129 != 7u);
+                                                    if _e1150 {
+                                                        phi_4157_ = (_e1126 + (_e1129 * ((3u * _e1094) + 1u)));
                                                     } else {
-                                                        phi_3801_ = u32();
+                                                        phi_4157_ = u32();
                                                     }
-                                                    let _e930 = phi_3801_;
-                                                    phi_3803_ = _e930;
-                                                    phi_3804_ = select(true, false, _e926);
+                                                    let _e1154 = phi_4157_;
+                                                    phi_4159_ = _e1154;
+                                                    phi_4160_ = select(true, false, _e1150);
                                                 } else {
-                                                    phi_3803_ = u32();
-                                                    phi_3804_ = true;
+                                                    phi_4159_ = u32();
+                                                    phi_4160_ = true;
                                                 }
-                                                let _e933 = phi_3803_;
-                                                let _e935 = phi_3804_;
-                                                if (_e913 == 0u) {
-                                                    phi_3825_ = (_e901 + select(0u, 1u, !(_e914)));
+                                                let _e1157 = phi_4159_;
+                                                let _e1159 = phi_4160_;
+                                                if (_e1137 == 0u) {
+                                                    phi_4181_ = (_e1125 + select(0u, 1u, !(_e1138)));
                                                 } else {
-                                                    if (_e913 == 7u) {
-                                                        phi_3824_ = 2147483648u;
+                                                    if (_e1137 == 7u) {
+                                                        phi_4180_ = 2147483648u;
                                                     } else {
-                                                        phi_3824_ = ((2147483648u | (_e913 << bitcast<u32>(28u))) | (select(_e933, _e902, _e935) & 268435455u));
+                                                        phi_4180_ = ((2147483648u | (_e1137 << bitcast<u32>(28u))) | (select(_e1157, _e1126, _e1159) & 268435455u));
                                                     }
-                                                    let _e948 = phi_3824_;
-                                                    phi_3825_ = _e948;
+                                                    let _e1172 = phi_4180_;
+                                                    phi_4181_ = _e1172;
                                                 }
-                                                let _e950 = phi_3825_;
-                                                phi_3829_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e828, (_e634.member.member.x + _e780), _e833, (_e634.member.member_1.x - _e819)), vec4<f32>(_e829, (_e634.member.member.y + _e784), _e834, (_e634.member.member_1.y - _e823)), vec4<f32>(_e830, (_e634.member.member.z + _e788), _e835, (_e634.member.member_1.z - _e827))), type_58(type_30((_e634.member.member + vec4<f32>(_e758, _e767, _e776, 0f)), (_e634.member.member_1 - vec4<f32>(_e797, _e806, _e815, 0f))), _e925), type_58(type_30((_e634.member.member + vec4<f32>(_e780, _e784, _e788, 0f)), (_e634.member.member_1 - vec4<f32>(_e819, _e823, _e827, 0f))), _e950));
+                                                let _e1174 = phi_4181_;
+                                                phi_4185_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e1052, (_e852.member.member.x + _e1004), _e1057, (_e852.member.member_1.x - _e1043)), vec4<f32>(_e1053, (_e852.member.member.y + _e1008), _e1058, (_e852.member.member_1.y - _e1047)), vec4<f32>(_e1054, (_e852.member.member.z + _e1012), _e1059, (_e852.member.member_1.z - _e1051))), type_58(type_30((_e852.member.member + vec4<f32>(_e982, _e991, _e1000, 0f)), (_e852.member.member_1 - vec4<f32>(_e1021, _e1030, _e1039, 0f))), _e1149), type_58(type_30((_e852.member.member + vec4<f32>(_e1004, _e1008, _e1012, 0f)), (_e852.member.member_1 - vec4<f32>(_e1043, _e1047, _e1051, 0f))), _e1174));
                                             }
-                                            let _e955 = phi_3829_;
-                                            let _e967 = ((_e955.member[0].x - _e428) * _e433);
-                                            let _e968 = ((_e955.member[0].y - _e428) * _e433);
-                                            let _e969 = ((_e955.member[0].z - _e429) * _e433);
-                                            let _e970 = ((_e955.member[0].w - _e429) * _e433);
-                                            let _e980 = ((_e955.member[1].x - _e464) * _e469);
-                                            let _e981 = ((_e955.member[1].y - _e464) * _e469);
-                                            let _e982 = ((_e955.member[1].z - _e465) * _e469);
-                                            let _e983 = ((_e955.member[1].w - _e465) * _e469);
-                                            let _e993 = ((_e955.member[2].x - _e500) * _e505);
-                                            let _e994 = ((_e955.member[2].y - _e500) * _e505);
-                                            let _e995 = ((_e955.member[2].z - _e501) * _e505);
-                                            let _e996 = ((_e955.member[2].w - _e501) * _e505);
-                                            let _e998 = select(_e995, _e993, (_e993 < _e995));
-                                            let _e1000 = select(_e996, _e994, (_e994 < _e996));
-                                            let _e1002 = select(_e995, _e993, (_e993 > _e995));
-                                            let _e1004 = select(_e996, _e994, (_e994 > _e996));
-                                            let _e1006 = select(_e969, _e967, (_e967 < _e969));
-                                            let _e1008 = select(_e970, _e968, (_e968 < _e970));
-                                            let _e1010 = select(_e982, _e980, (_e980 < _e982));
-                                            let _e1012 = select(_e983, _e981, (_e981 < _e983));
-                                            let _e1014 = select(_e1010, _e1006, (_e1006 > _e1010));
-                                            let _e1016 = select(_e1012, _e1008, (_e1008 > _e1012));
-                                            let _e1018 = select(_e998, _e1014, (_e1014 > _e998));
-                                            let _e1020 = select(_e1000, _e1016, (_e1016 > _e1000));
-                                            let _e1022 = select(_e969, _e967, (_e967 > _e969));
-                                            let _e1024 = select(_e970, _e968, (_e968 > _e970));
-                                            let _e1026 = select(_e982, _e980, (_e980 > _e982));
-                                            let _e1028 = select(_e983, _e981, (_e981 > _e983));
-                                            let _e1030 = select(_e1026, _e1022, (_e1022 < _e1026));
-                                            let _e1032 = select(_e1028, _e1024, (_e1024 < _e1028));
-                                            let _e1037 = -(_e998);
-                                            let _e1038 = -(_e1000);
-                                            let _e1045 = (select(_e1002, _e1030, (_e1030 < _e1002)) + (select(_e1037, _e1002, (_e1002 > _e1037)) * 0.0000019073523f));
-                                            let _e1046 = (select(_e1004, _e1032, (_e1032 < _e1004)) + (select(_e1038, _e1004, (_e1004 > _e1038)) * 0.0000019073523f));
-                                            let _e1048 = select(_e551, _e1018, (_e1018 > _e551));
-                                            let _e1050 = select(_e551, _e1020, (_e1020 > _e551));
-                                            let _e1055 = (_e1048 <= select(_e595.member, _e1045, (_e1045 < _e595.member)));
-                                            let _e1056 = (_e1050 <= select(_e595.member, _e1046, (_e1046 < _e595.member)));
-                                            let _e1057 = (_e1048 <= _e1050);
-                                            if _e1055 {
-                                                if _e1056 {
-                                                    if _e1057 {
-                                                        phi_4173_ = _e955.member_2;
+                                            let _e1179 = phi_4185_;
+                                            let _e1191 = ((_e1179.member[0].x - _e521) * _e526);
+                                            let _e1192 = ((_e1179.member[0].y - _e521) * _e526);
+                                            let _e1193 = ((_e1179.member[0].z - _e522) * _e526);
+                                            let _e1194 = ((_e1179.member[0].w - _e522) * _e526);
+                                            let _e1204 = ((_e1179.member[1].x - _e587) * _e592);
+                                            let _e1205 = ((_e1179.member[1].y - _e587) * _e592);
+                                            let _e1206 = ((_e1179.member[1].z - _e588) * _e592);
+                                            let _e1207 = ((_e1179.member[1].w - _e588) * _e592);
+                                            let _e1217 = ((_e1179.member[2].x - _e653) * _e658);
+                                            let _e1218 = ((_e1179.member[2].y - _e653) * _e658);
+                                            let _e1219 = ((_e1179.member[2].z - _e654) * _e658);
+                                            let _e1220 = ((_e1179.member[2].w - _e654) * _e658);
+                                            let _e1222 = select(_e1219, _e1217, (_e1217 < _e1219));
+                                            let _e1224 = select(_e1220, _e1218, (_e1218 < _e1220));
+                                            let _e1226 = select(_e1219, _e1217, (_e1217 > _e1219));
+                                            let _e1228 = select(_e1220, _e1218, (_e1218 > _e1220));
+                                            let _e1230 = select(_e1193, _e1191, (_e1191 < _e1193));
+                                            let _e1232 = select(_e1194, _e1192, (_e1192 < _e1194));
+                                            let _e1234 = select(_e1206, _e1204, (_e1204 < _e1206));
+                                            let _e1236 = select(_e1207, _e1205, (_e1205 < _e1207));
+                                            let _e1238 = select(_e1234, _e1230, (_e1230 > _e1234));
+                                            let _e1240 = select(_e1236, _e1232, (_e1232 > _e1236));
+                                            let _e1242 = select(_e1222, _e1238, (_e1238 > _e1222));
+                                            let _e1244 = select(_e1224, _e1240, (_e1240 > _e1224));
+                                            let _e1246 = select(_e1193, _e1191, (_e1191 > _e1193));
+                                            let _e1248 = select(_e1194, _e1192, (_e1192 > _e1194));
+                                            let _e1250 = select(_e1206, _e1204, (_e1204 > _e1206));
+                                            let _e1252 = select(_e1207, _e1205, (_e1205 > _e1207));
+                                            let _e1254 = select(_e1250, _e1246, (_e1246 < _e1250));
+                                            let _e1256 = select(_e1252, _e1248, (_e1248 < _e1252));
+                                            let _e1261 = -(_e1222);
+                                            let _e1262 = -(_e1224);
+                                            let _e1269 = (select(_e1226, _e1254, (_e1254 < _e1226)) + (select(_e1261, _e1226, (_e1226 > _e1261)) * 0.0000019073523f));
+                                            let _e1270 = (select(_e1228, _e1256, (_e1256 < _e1228)) + (select(_e1262, _e1228, (_e1228 > _e1262)) * 0.0000019073523f));
+                                            let _e1272 = select(_e769, _e1242, (_e1242 > _e769));
+                                            let _e1274 = select(_e769, _e1244, (_e1244 > _e769));
+                                            let _e1279 = (_e1272 <= select(_e813.member, _e1269, (_e1269 < _e813.member)));
+                                            let _e1280 = (_e1274 <= select(_e813.member, _e1270, (_e1270 < _e813.member)));
+                                            let _e1281 = (_e1272 <= _e1274);
+                                            if _e1279 {
+                                                if _e1280 {
+                                                    if _e1281 {
+                                                        phi_4529_ = _e1179.member_2;
                                                     } else {
-                                                        phi_4173_ = _e955.member_1;
+                                                        phi_4529_ = _e1179.member_1;
                                                     }
-                                                    let _e1061 = phi_4173_;
-                                                    let _e1083 = (_e638 % 128u);
-                                                    let _e1084 = (_e1083 < 128u);
-                                                    if _e1084 {
+                                                    let _e1285 = phi_4529_;
+                                                    let _e1307 = (_e856 % 128u);
+                                                    let _e1308 = (_e1307 < 128u);
+                                                    if _e1308 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1083] = _e1061.member_1;
-                                                    if _e1084 {
+                                                    local_8[_e1307] = _e1285.member_1;
+                                                    if _e1308 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1083] = _e1061.member.member.x;
-                                                    if _e1084 {
+                                                    local_7[_e1307] = _e1285.member.member.x;
+                                                    if _e1308 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1083] = _e1061.member.member.y;
-                                                    if _e1084 {
+                                                    local_6[_e1307] = _e1285.member.member.y;
+                                                    if _e1308 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1083] = _e1061.member.member.z;
-                                                    if _e1084 {
+                                                    local_5[_e1307] = _e1285.member.member.z;
+                                                    if _e1308 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1083] = _e1061.member.member_1.x;
-                                                    if _e1084 {
+                                                    local_4[_e1307] = _e1285.member.member_1.x;
+                                                    if _e1308 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1083] = _e1061.member.member_1.y;
-                                                    if _e1084 {
+                                                    local_3[_e1307] = _e1285.member.member_1.y;
+                                                    if _e1308 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1083] = _e1061.member.member_1.z;
-                                                    if _e1084 {
+                                                    local_2[_e1307] = _e1285.member.member_1.z;
+                                                    if _e1308 {
                                                     } else {
-                                                        phi_4744_ = true;
+                                                        phi_5134_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1083] = select(_e1050, _e1048, (_e1048 > _e1050));
-                                                    if _e1057 {
-                                                        phi_4250_ = _e955.member_1;
+                                                    local_9[_e1307] = select(_e1274, _e1272, (_e1272 > _e1274));
+                                                    if _e1281 {
+                                                        phi_4606_ = _e1179.member_1;
                                                     } else {
-                                                        phi_4250_ = _e955.member_2;
+                                                        phi_4606_ = _e1179.member_2;
                                                     }
-                                                    let _e1097 = phi_4250_;
-                                                    phi_4251_ = _e1097;
-                                                    phi_4252_ = (_e638 + 1u);
+                                                    let _e1321 = phi_4606_;
+                                                    phi_4607_ = _e1321;
+                                                    phi_4608_ = (_e856 + 1u);
                                                 } else {
-                                                    phi_4251_ = type_58();
-                                                    phi_4252_ = u32();
+                                                    phi_4607_ = type_58();
+                                                    phi_4608_ = u32();
                                                 }
-                                                let _e1099 = phi_4251_;
-                                                let _e1101 = phi_4252_;
-                                                phi_4254_ = _e1099;
-                                                phi_4255_ = _e1101;
-                                                phi_4256_ = select(true, false, _e1056);
+                                                let _e1323 = phi_4607_;
+                                                let _e1325 = phi_4608_;
+                                                phi_4610_ = _e1323;
+                                                phi_4611_ = _e1325;
+                                                phi_4612_ = select(true, false, _e1280);
                                             } else {
-                                                phi_4254_ = type_58();
-                                                phi_4255_ = u32();
-                                                phi_4256_ = true;
+                                                phi_4610_ = type_58();
+                                                phi_4611_ = u32();
+                                                phi_4612_ = true;
                                             }
-                                            let _e1104 = phi_4254_;
-                                            let _e1106 = phi_4255_;
-                                            let _e1108 = phi_4256_;
-                                            if _e1108 {
-                                                if _e1055 {
-                                                    phi_4265_ = _e955.member_1;
+                                            let _e1328 = phi_4610_;
+                                            let _e1330 = phi_4611_;
+                                            let _e1332 = phi_4612_;
+                                            if _e1332 {
+                                                if _e1279 {
+                                                    phi_4621_ = _e1179.member_1;
                                                 } else {
-                                                    phi_4265_ = _e955.member_2;
+                                                    phi_4621_ = _e1179.member_2;
                                                 }
-                                                let _e1112 = phi_4265_;
-                                                phi_4270_ = _e1112;
-                                                phi_4271_ = select(_e1056, true, _e1055);
+                                                let _e1336 = phi_4621_;
+                                                phi_4626_ = _e1336;
+                                                phi_4627_ = select(_e1280, true, _e1279);
                                             } else {
-                                                phi_4270_ = _e1104;
-                                                phi_4271_ = _e636;
+                                                phi_4626_ = _e1328;
+                                                phi_4627_ = _e854;
                                             }
-                                            let _e1115 = phi_4270_;
-                                            let _e1117 = phi_4271_;
-                                            phi_4748_ = _e593;
-                                            phi_4273_ = _e595;
-                                            phi_4274_ = _e1115;
-                                            phi_4275_ = _e1117;
-                                            phi_4276_ = select(_e1106, _e638, _e1108);
+                                            let _e1339 = phi_4626_;
+                                            let _e1341 = phi_4627_;
+                                            phi_5138_ = _e811;
+                                            phi_4629_ = _e813;
+                                            phi_4630_ = _e1339;
+                                            phi_4631_ = _e1341;
+                                            phi_4632_ = select(_e1330, _e856, _e1332);
                                         }
-                                        let _e2259 = phi_4748_;
-                                        let _e2261 = phi_4273_;
-                                        let _e2263 = phi_4274_;
-                                        let _e2265 = phi_4275_;
-                                        let _e2267 = phi_4276_;
-                                        phi_4747_ = _e2259;
-                                        phi_4277_ = _e2261;
-                                        phi_4278_ = _e2263;
-                                        phi_4279_ = (_e599 - 1u);
-                                        phi_4280_ = _e2265;
-                                        phi_4281_ = _e2267;
+                                        let _e2501 = phi_5138_;
+                                        let _e2503 = phi_4629_;
+                                        let _e2505 = phi_4630_;
+                                        let _e2507 = phi_4631_;
+                                        let _e2509 = phi_4632_;
+                                        phi_5137_ = _e2501;
+                                        phi_4633_ = _e2503;
+                                        phi_4634_ = _e2505;
+                                        phi_4635_ = (_e817 - 1u);
+                                        phi_4636_ = _e2507;
+                                        phi_4637_ = _e2509;
                                     } else {
-                                        phi_4747_ = _e593;
-                                        phi_4277_ = _e595;
-                                        phi_4278_ = _e634;
-                                        phi_4279_ = _e599;
-                                        phi_4280_ = _e636;
-                                        phi_4281_ = _e638;
+                                        phi_5137_ = _e811;
+                                        phi_4633_ = _e813;
+                                        phi_4634_ = _e852;
+                                        phi_4635_ = _e817;
+                                        phi_4636_ = _e854;
+                                        phi_4637_ = _e856;
                                     }
-                                    let _e2269 = phi_4747_;
-                                    let _e2271 = phi_4277_;
-                                    let _e2273 = phi_4278_;
-                                    let _e2275 = phi_4279_;
-                                    let _e2277 = phi_4280_;
-                                    let _e2279 = phi_4281_;
-                                    phi_4746_ = _e2269;
-                                    phi_4282_ = _e2271;
-                                    phi_4283_ = _e2273;
-                                    phi_4284_ = _e2275;
-                                    phi_4285_ = _e2277;
-                                    phi_4286_ = _e2279;
+                                    let _e2511 = phi_5137_;
+                                    let _e2513 = phi_4633_;
+                                    let _e2515 = phi_4634_;
+                                    let _e2517 = phi_4635_;
+                                    let _e2519 = phi_4636_;
+                                    let _e2521 = phi_4637_;
+                                    phi_5136_ = _e2511;
+                                    phi_4638_ = _e2513;
+                                    phi_4639_ = _e2515;
+                                    phi_4640_ = _e2517;
+                                    phi_4641_ = _e2519;
+                                    phi_4642_ = _e2521;
                                 } else {
-                                    phi_4746_ = _e593;
-                                    phi_4282_ = type_42();
-                                    phi_4283_ = type_58();
-                                    phi_4284_ = u32();
-                                    phi_4285_ = bool();
-                                    phi_4286_ = u32();
+                                    phi_5136_ = _e811;
+                                    phi_4638_ = type_42();
+                                    phi_4639_ = type_58();
+                                    phi_4640_ = u32();
+                                    phi_4641_ = bool();
+                                    phi_4642_ = u32();
                                 }
-                                let _e2281 = phi_4746_;
-                                let _e2283 = phi_4282_;
-                                let _e2285 = phi_4283_;
-                                let _e2287 = phi_4284_;
-                                let _e2289 = phi_4285_;
-                                let _e2291 = phi_4286_;
-                                phi_4745_ = _e2281;
-                                phi_1012_ = _e2283;
-                                phi_1015_ = _e2285;
-                                phi_1017_ = _e2287;
-                                phi_1019_ = _e2289;
-                                phi_1021_ = _e2291;
-                                phi_4287_ = _e607;
+                                let _e2523 = phi_5136_;
+                                let _e2525 = phi_4638_;
+                                let _e2527 = phi_4639_;
+                                let _e2529 = phi_4640_;
+                                let _e2531 = phi_4641_;
+                                let _e2533 = phi_4642_;
+                                phi_5135_ = _e2523;
+                                phi_1350_ = _e2525;
+                                phi_1353_ = _e2527;
+                                phi_1355_ = _e2529;
+                                phi_1357_ = _e2531;
+                                phi_1359_ = _e2533;
+                                phi_4643_ = _e825;
                             } else {
-                                phi_4745_ = _e593;
-                                phi_1012_ = type_42();
-                                phi_1015_ = type_58();
-                                phi_1017_ = u32();
-                                phi_1019_ = bool();
-                                phi_1021_ = u32();
-                                phi_4287_ = false;
+                                phi_5135_ = _e811;
+                                phi_1350_ = type_42();
+                                phi_1353_ = type_58();
+                                phi_1355_ = u32();
+                                phi_1357_ = bool();
+                                phi_1359_ = u32();
+                                phi_4643_ = false;
                             }
-                            let _e2293 = phi_4745_;
-                            let _e2295 = phi_1012_;
-                            let _e2297 = phi_1015_;
-                            let _e2299 = phi_1017_;
-                            let _e2301 = phi_1019_;
-                            let _e2303 = phi_1021_;
-                            let _e2305 = phi_4287_;
+                            let _e2535 = phi_5135_;
+                            let _e2537 = phi_1350_;
+                            let _e2539 = phi_1353_;
+                            let _e2541 = phi_1355_;
+                            let _e2543 = phi_1357_;
+                            let _e2545 = phi_1359_;
+                            let _e2547 = phi_4643_;
                             continue;
                             continuing {
-                                phi_4537_ = _e2293;
-                                phi_1011_ = _e2295;
-                                phi_1014_ = _e2297;
-                                phi_1016_ = _e2299;
-                                phi_1018_ = _e2301;
-                                phi_1020_ = _e2303;
-                                phi_4744_ = _e2293;
-                                break if !(_e2305);
+                                phi_4901_ = _e2535;
+                                phi_1349_ = _e2537;
+                                phi_1352_ = _e2539;
+                                phi_1354_ = _e2541;
+                                phi_1356_ = _e2543;
+                                phi_1358_ = _e2545;
+                                phi_5134_ = _e2535;
+                                break if !(_e2547);
                             }
                         }
-                        let _e2308 = phi_4744_;
-                        if _e2308 {
+                        let _e2550 = phi_5134_;
+                        if _e2550 {
                             break;
                         }
-                        let _e2310 = local_11;
-                        if _e2310.member_1 {
+                        let _e2552 = local_11;
+                        if _e2552.member_1 {
                         } else {
-                            if _e241 {
+                            if _e304 {
                             } else {
                                 break;
                             }
-                            let _e2314 = global_2.member[_e147];
-                            if _e162 {
+                            let _e2556 = global_2.member[_e150];
+                            if _e165 {
                             } else {
                                 break;
                             }
-                            let _e2318 = global_9.member[_e147].member_1;
-                            if _e241 {
+                            let _e2560 = global_9.member[_e150].member_1;
+                            if _e304 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e147] = type_23(_e2314.member, _e2314.member_1, _e2314.member_2, array<f32, 3>((_e2314.member_3[0] + (_e2318[0] * _e2314.member_1[0])), (_e2314.member_3[1] + (_e2318[1] * _e2314.member_1[1])), (_e2314.member_3[2] + (_e2318[2] * _e2314.member_1[2]))), _e2314.member_4);
+                            global_2.member[_e150] = type_23(_e2556.member, _e2556.member_1, _e2556.member_2, array<f32, 3>((_e2556.member_3[0] + (_e2560[0] * _e2556.member_1[0])), (_e2556.member_3[1] + (_e2560[1] * _e2556.member_1[1])), (_e2556.member_3[2] + (_e2560[2] * _e2556.member_1[2]))), _e2556.member_4);
                         }
                     }
                 }

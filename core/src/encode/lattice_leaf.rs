@@ -1,7 +1,7 @@
 //! The lattice codec's triangle: its vertices, counted from the leaf's decoded box, exactly.
 
 use super::lattice_nodes::LatticeFrame;
-use crate::float::{exponent, max};
+use crate::float::{exponent, max, whole_number};
 use crate::lattice::{LatticeBox, lattice_steps};
 use crate::ray::NO_PRIMITIVE;
 use crate::trace::{Place, TriangleSource};
@@ -209,7 +209,7 @@ impl LatticeTriangles<'_> {
     #[inline(always)]
     fn narrow(&self, at: u32, min: Vec4, [i, j, k]: [u32; 3]) -> [f32; 3] {
         let word = crate::load(self.words, at, 0);
-        let steps = |axis: u32| ((word >> (10 * axis)) & 0x3ff) as i32 as f32 * self.step;
+        let steps = |axis: u32| whole_number((word >> (10 * axis)) & 0x3ff) * self.step;
         [min.x + steps(i), min.y + steps(j), min.z + steps(k)]
     }
 
@@ -225,7 +225,7 @@ impl LatticeTriangles<'_> {
                 b >> 10
             };
             let bits = if axis == 0 { a } else { later };
-            (bits & 0x001f_ffff) as i32 as f32 * self.step
+            whole_number(bits & 0x001f_ffff) * self.step
         };
         [min.x + steps(i), min.y + steps(j), min.z + steps(k)]
     }

@@ -2,6 +2,7 @@
 
 use super::lattice_leaf::LeafWidth;
 use super::lattice_node::{links_of, sides_of};
+use crate::float::whole_number;
 use crate::lattice::LatticeBox;
 use crate::node::NodeRef;
 use crate::slab::PlanePair;
@@ -120,7 +121,7 @@ fn child_frames<const BITS: u32>(
 /// The numbers of sides.
 #[inline(always)]
 fn numbers<const BITS: u32>(sides: [u32; 4]) -> Vec4 {
-    let number = |side: u32| (side & ((1 << BITS) - 1)) as i32 as f32;
+    let number = |side: u32| whole_number(side & ((1 << BITS) - 1));
     let [a, b, c, d] = sides;
     Vec4::new(number(a), number(b), number(c), number(d))
 }

@@ -3,7 +3,7 @@
 //! Floats decide here, so that every product is shielded from being fused with a sum, and the encoder asks the decoder.
 
 use crate::aabb::Aabb;
-use crate::float::{abs, max, min};
+use crate::float::{abs, min, whole_number};
 use crate::node::{Node, NodeRef};
 use crate::orientation::product;
 use crate::ray::NO_PRIMITIVE;
@@ -68,25 +68,34 @@ impl PrintedNode {
     };
 }
 
+/// The length of a cell between two planes.
+#[inline(always)]
+fn cell(low: f32, high: f32, zero: u32) -> f32 {
+    product(high - low, 1.0 / LAST as f32, zero)
+}
+
 /// A number's place between two planes. Monotone; 0 is the lower plane and 1023 the upper one.
 #[inline(always)]
 fn decode(number: u32, low: f32, high: f32, zero: u32) -> f32 {
-    let cell = product(high - low, 1.0 / LAST as f32, zero);
-    let inner = min(low + product(number as f32, cell, zero), high);
+    let way = product(whole_number(number), cell(low, high, zero), zero);
+    let inner = min(low + way, high);
     if number == LAST { high } else { inner }
 }
 
-/// The largest number that is not above a coordinate, which lies between the planes.
+/// The largest number that is not above a coordinate, which lies between the planes, or one near it where the planes are so close
+/// that several numbers come to lie in one place: the same on every device, where cells are a normal number long.
 #[inline(always)]
 fn number_below(x: f32, low: f32, high: f32, zero: u32) -> u32 {
-    let extent = high - low;
-    let guess = if extent > 0.0 {
-        (x - low) / extent * LAST as f32
-    } else {
-        0.0
-    };
-    // Off by one at most: three roundings, or the three units that a GPU's division may have, are far less than a number.
-    let mut number = max(min(guess, LAST as f32), 0.0) as u32;
+    let (way, cell) = (x - low, cell(low, high, zero));
+    let guess = if cell > 0.0 { way / cell } else { 0.0 };
+    // Off by one at most: a few roundings, or the units that a GPU's division may have, are far less than a number.
+    let mut number = min(guess, LAST as f32) as i32 as u32;
+    if number > 0 && product(whole_number(number), cell, zero) > way {
+        number -= 1;
+    } else if number < LAST && product(whole_number(number + 1), cell, zero) <= way {
+        number += 1;
+    }
+    // Now it is the same for every guess. The sum with a large plane may be rounded by more than a cell.
     if number > 0 && decode(number, low, high, zero) > x {
         number -= 1;
     } else if number < LAST && decode(number + 1, low, high, zero) <= x {

@@ -2,7 +2,7 @@
 
 use super::families::Case;
 use super::judge::Answer;
-use super::moves::moved;
+use super::moves::{MoveError, moved};
 use super::stack::{depth, longest};
 use super::storage::{Prepared, Storage};
 use super::tracer::{Failure, Outcome, Tracer, Tree};
@@ -164,8 +164,15 @@ pub fn facts(prepared: &Prepared, storage: Storage, bvh: &Bvh) -> Result<Facts, 
     }
     let moved = if storage.is_leaf10() {
         let plain = Builder::new(prepared.config.code_bits.into()).build(mesh)?;
-        let moves = moved(&plain, &decoded)?;
-        Some([moves.most, moves.bound])
+        let unit = 2f64.powi(-plain.scene_exponent());
+        match moved(&plain, &decoded) {
+            Ok(moves) => Some([moves.most, moves.bound]),
+            // Told by its row, as all that is wrong.
+            Err(MoveError::BeyondBound { distance, bound }) => {
+                Some([distance * unit, bound * unit])
+            }
+            Err(error) => return Err(error.into()),
+        }
     } else {
         prepared.moved
     };
