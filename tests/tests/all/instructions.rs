@@ -1,8 +1,8 @@
 //! How many instructions builds and rays take, counted by Valgrind, beside the record: a guard against what is slower without
 //! anybody's noticing. Times tell nothing on a busy machine; counts differ by less than a thousandth from run to run.
 //!
-//! `UPDATE_GOLDEN=1` writes the record anew; test the whole workspace for it, as the README does: a package by itself is built with
-//! other features of its dependencies, and comes out up to 6 % otherwise. Without Valgrind, or on another kind of processor, nothing is compared, which
+//! `UPDATE_GOLDEN=1` writes the record anew, from a build that is not incremental (`CARGO_INCREMENTAL=0`): of one that is, code comes
+//! out up to 6 % otherwise. Without Valgrind, or on another kind of processor, nothing is compared, which
 //! `REQUIRE_VALGRIND=1` makes a failure.
 
 use slimbvh::generate::{TorusKnot, terrain, torus_knot};
