@@ -89,7 +89,8 @@ impl Answers {
         }
         let differs = |&i: &usize| {
             let nearly = &cpu.nearly[i];
-            let [least, most] = nearly.any;
+            // Whatever meets something meets something nearest.
+            let [least, most] = nearly.nearest.map(|hits| u32::from(hits[0].is_hit()));
             !(least..=most).contains(&self.any[i])
                 || !nearly.is_near(&[self.closest[i]], &[cpu.closest[i]])
                 || !nearly.is_near(&self.nearest[i], &cpu.nearest[i])
@@ -121,7 +122,6 @@ impl Answers {
 struct Nearly {
     /// As far as t may be off, beside a share of it.
     still: f32,
-    any: [u32; 2],
     nearest: [[Hit; NEAREST_COUNT]; 2],
 }
 
@@ -142,7 +142,6 @@ impl Nearly {
         });
         Self {
             still,
-            any: stretched.map(|ray| bvh.any_hit(&ray).into()),
             nearest: stretched.map(|ray| bvh.nearest_hits(&ray)),
         }
     }

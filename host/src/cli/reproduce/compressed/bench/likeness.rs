@@ -33,8 +33,11 @@ pub fn record(machine: &mut OnGpu, own: &Cpu, settings: &RenderSettings) -> Resu
     let rays = sample(own.scene(), settings)?;
     let on_gpu = count_on_gpu(gpu, &machine.bvh, &rays)?;
     let counted_otherwise = unlike(&on_gpu, &count(bvh, &rays));
-    let is_software = gpu.device().adapter_info().device_type == wgpu::DeviceType::Cpu;
-    let most = if is_software { 0 } else { rays.len() / GRAZING };
+    let most = if machine.is_software() {
+        0
+    } else {
+        rays.len() / GRAZING
+    };
     ensure!(
         counted_otherwise <= most,
         "the GPU counts otherwise than the CPU what {counted_otherwise} of {} rays touch",

@@ -50,9 +50,8 @@ impl Bench for GpuBench<'_> {
 
 /// Keeps a real GPU busy until its clock is up: what idles is a few times slower at first.
 fn raise_clock(machine: &mut OnGpu, settings: &RenderSettings) -> Result<()> {
-    let is_software = machine.gpu().device().adapter_info().device_type == wgpu::DeviceType::Cpu;
     let start = Instant::now();
-    while !is_software && start.elapsed() < Duration::from_millis(500) {
+    while !machine.is_software() && start.elapsed() < Duration::from_millis(500) {
         machine.render(settings)?;
     }
     Ok(())

@@ -34,6 +34,11 @@ impl<'a> OnGpu<'a> {
         self.gpu
     }
 
+    /// Whether it computes on the CPU.
+    pub fn is_software(&self) -> bool {
+        self.gpu.device().adapter_info().device_type == wgpu::DeviceType::Cpu
+    }
+
     /// As they are now.
     pub fn buffers(&self) -> Buffers {
         Buffers {
