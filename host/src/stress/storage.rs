@@ -1,8 +1,8 @@
-//! The codecs that are tried.
+//! The codecs that are tried, and the kinds of trees.
 
 use super::Effort;
 use crate::oracle::distance::{length, minus};
-use crate::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec};
+use crate::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind};
 use std::borrow::Cow;
 
 /// How triangles are stored.
@@ -16,11 +16,12 @@ enum Triangles {
     },
 }
 
-/// How nodes and triangles are stored.
+/// How nodes and triangles are stored, and how the tree over them is found.
 #[derive(Clone, Copy, Debug)]
 pub struct Storage {
     nodes: NodeCodec,
     triangles: Triangles,
+    tree: TreeKind,
 }
 
 /// A mesh made ready for a codec.
@@ -37,54 +38,72 @@ const COARSE: i32 = 12;
 
 impl Storage {
     pub const PLAIN: Self = Self::nodes(NodeCodec::F32);
-    pub const LATTICE: Self = Self {
-        nodes: NodeCodec::Lattice(LatticeBits::Q10),
-        triangles: Triangles::Lattice { coarser: 0 },
-    };
+    pub const LATTICE: Self = Self::lattice(LatticeBits::Q10, 0);
 
     const fn nodes(nodes: NodeCodec) -> Self {
         Self {
             nodes,
             triangles: Triangles::Full,
+            tree: TreeKind::Radix,
+        }
+    }
+
+    const fn lattice(bits: LatticeBits, coarser: i32) -> Self {
+        Self {
+            triangles: Triangles::Lattice { coarser },
+            ..Self::nodes(NodeCodec::Lattice(bits))
+        }
+    }
+
+    const fn clustered(self) -> Self {
+        Self {
+            tree: TreeKind::Clustered,
+            ..self
         }
     }
 
     /// Those that are tried; on a GPU only what it has.
     pub fn all(effort: Effort, on_gpu: bool) -> Vec<Self> {
-        let lattice = |coarser: i32, bits: LatticeBits| Self {
-            nodes: NodeCodec::Lattice(bits),
-            triangles: Triangles::Lattice { coarser },
-        };
         let leaf10 = Self {
-            nodes: NodeCodec::Printed,
             triangles: Triangles::Leaf10,
+            ..Self::nodes(NodeCodec::Printed)
         };
         let q10 = NodeCodec::Lattice(LatticeBits::Q10);
-        let coarse = lattice(COARSE, LatticeBits::Q10);
+        let coarse = Self::lattice(LatticeBits::Q10, COARSE);
         let mut all = vec![Self::PLAIN, Self::nodes(q10), Self::LATTICE, coarse, leaf10];
+        if !on_gpu {
+            all.push(Self::PLAIN.clustered());
+        }
         if effort == Effort::Full {
             all.push(Self::nodes(NodeCodec::Printed));
             let others = LatticeBits::ALL
                 .into_iter()
                 .filter(|&bits| bits != LatticeBits::Q10 && (!on_gpu || bits == LatticeBits::Q21));
             all.extend(others.map(|bits| Self::nodes(NodeCodec::Lattice(bits))));
-            all.push(lattice(0, LatticeBits::Q21));
+            all.push(Self::lattice(LatticeBits::Q21, 0));
+            if !on_gpu {
+                all.push(Self::LATTICE.clustered());
+            }
         }
         all
     }
 
-    /// In tables: of nodes, then of triangles where these are not in full.
+    /// In tables: of nodes, then of triangles where these are not in full, then of trees other than radix.
     pub fn name(self) -> String {
         let nodes = match self.nodes {
             NodeCodec::F32 => "f32".into(),
             NodeCodec::Printed => "printed".into(),
             NodeCodec::Lattice(bits) => format!("q{}", bits.count()),
         };
-        match self.triangles {
+        let codec = match self.triangles {
             Triangles::Full => nodes,
             Triangles::Leaf10 => format!("{nodes}+leaf10"),
             Triangles::Lattice { coarser: 0 } => format!("{nodes}+lattice"),
             Triangles::Lattice { coarser } => format!("{nodes}+lattice*2^{coarser}"),
+        };
+        match self.tree {
+            TreeKind::Radix => codec,
+            TreeKind::Clustered => format!("{codec} clustered"),
         }
     }
 
@@ -93,6 +112,7 @@ impl Storage {
         let config = |mesh| BuildConfig {
             nodes: self.nodes,
             mesh,
+            tree: self.tree,
             ..BuildConfig::from(code_bits)
         };
         let Triangles::Lattice { coarser } = self.triangles else {

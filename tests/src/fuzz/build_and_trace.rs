@@ -1,11 +1,13 @@
-//! Any mesh that the door lets in, any ray at all, any codec: the tree answers like brute force, bit for bit.
+//! Any mesh that the door lets in, any ray at all, any codec and kind of tree: the tree answers like brute force, bit for bit.
 
 use super::input::{any, drawn};
 use crate::oracle::brute::{Answers, Parts};
 use crate::rays::{Aim, Face, Range, RayRecipe, Start, some_rays};
 use crate::strategies::any_mesh;
 use arbitrary::Arbitrary;
-use slimbvh::{BuildConfig, Builder, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray};
+use slimbvh::{
+    BuildConfig, Builder, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray, TreeKind,
+};
 
 /// A mesh and rays as they come, broken ones too.
 #[derive(Arbitrary, Debug)]
@@ -39,6 +41,10 @@ pub fn build_and_trace(data: &[u8]) {
         0 => CodeBits::Bits30,
         _ => CodeBits::Bits63,
     };
+    let tree = match how & 0x40 {
+        0 => TreeKind::Radix,
+        _ => TreeKind::Clustered,
+    };
     let (nodes, codec) = codecs(codec, mesh.finest_step() + i32::from(coarse % 24));
     if let MeshCodec::Lattice { step_exponent } = codec {
         mesh.snap(step_exponent);
@@ -48,6 +54,7 @@ pub fn build_and_trace(data: &[u8]) {
     let coded = build(BuildConfig {
         nodes,
         mesh: codec,
+        tree,
         ..BuildConfig::from(code_bits)
     });
     let coded = coded.expect("codecs that go together");
